@@ -135,6 +135,17 @@ void vtkGeodesicDistanceFieldFromDrawnCurve::Compute(
       "The curve has no points: give it one or more, or set Source Type to Surface Boundary.");
   }
   this->Superclass::Compute(execution, outputVector);
+
+  // Handles that are dragged beside the surface are meant: they go onto it without a word.
+  if (2.0 * execution.sources().snapDistance <= execution.surface().diagonal)
+  {
+    auto& notes = execution.notes().all;
+    notes.erase(
+      std::remove_if(notes.begin(), notes.end(),
+        [](const geodesic::Notes::Note& note)
+        { return note.input == geodesic::NoteOn::Source && note.cause == geodesic::FarNote; }),
+      notes.end());
+  }
 }
 
 //------------------------------------------------------------------------------

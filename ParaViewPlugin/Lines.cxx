@@ -19,6 +19,7 @@
 #include "vtkSMSourceProxy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <utility>
@@ -68,6 +69,17 @@ vtkSMBoundsDomain* boundsOf(vtkSMSourceProxy* filter)
   return distances ? distances->FindDomain<vtkSMBoundsDomain>() : nullptr;
 }
 
+/// Of the point array of distances; null before an execution, and for other filters than fields.
+vtkPVArrayInformation* distancesOf(vtkSMSourceProxy* filter)
+{
+  const char* name = vtkSMPropertyHelper(filter, "DistanceArrayName", true).GetAsString();
+  return name ? filter->GetDataInformation(0)->GetPointDataInformation()->GetArrayInformation(name)
+              : nullptr;
+}
+
+/// A value of UnreachedValue.
+constexpr int UnreachedIsNaN = 1;
+
 /// VTK's shader of tubes and balls reads gl_FragDepth before it writes it. Where the driver leaves
 /// any number there (Mesa 25), they are drawn behind the surface, or shine through it.
 constexpr const char* DepthFromTheStart = R"([{ "type": "fragment",
@@ -85,11 +97,17 @@ bool isGeodesicFilter(vtkSMSourceProxy* filter)
   return name && std::string(name).rfind("vtkGeodesic", 0) == 0;
 }
 
+bool isField(vtkSMSourceProxy* filter)
+{
+  const char* name = filter->GetVTKClassName();
+  return name && std::string(name).rfind("vtkGeodesicDistanceField", 0) == 0;
+}
+
 bool areOutput(vtkSMSourceProxy* filter, unsigned int port)
 {
   const std::string name = filter->GetVTKClassName() ? filter->GetVTKClassName() : "";
   return name == "vtkGeodesicContour" || name == "vtkGeodesicPaths" ||
-    (port == 1 && name.rfind("vtkGeodesicDistanceField", 0) == 0);
+    (port == 1 && isField(filter));
 }
 
 void show(vtkSMPVRepresentationProxy* representation)
@@ -158,12 +176,45 @@ void chooseOnlySource(vtkSMSourceProxy* filter)
   }
 }
 
+bool hasUnreached(vtkSMSourceProxy* filter)
+{
+  vtkPVArrayInformation* distances = distancesOf(filter);
+  // Ranges leave out NaN: where users ask for it, they are told what it is.
+  return distances &&
+    (!std::isfinite(distances->GetComponentRange(0)[1]) ||
+      vtkSMPropertyHelper(filter, "UnreachedValue", true).GetAsInt() == UnreachedIsNaN);
+}
+
+void putDefaultCurveOnSurface(vtkSMSourceProxy* filter)
+{
+  vtkSMPropertyHelper points(filter, "Points", true);
+  if (points.GetNumberOfElements() != 6)
+  {
+    return;
+  }
+  std::vector<double> curve = points.GetDoubleArray();
+  auto* bounds = filter->GetProperty("Points")->FindDomain<vtkSMBoundsDomain>();
+  const double low = bounds->GetMinimum(0), high = bounds->GetMaximum(0),
+               top = bounds->GetMaximum(2);
+  const std::pair<vtkSMProxy*, unsigned int> input = producerOf(filter, "Input");
+  auto* producer = vtkSMSourceProxy::SafeDownCast(input.first);
+  vtkPointSet* surface = producer ? outputOf(producer, input.second) : nullptr;
+  const bool isDefault = curve[0] == low && curve[3] == high && curve[2] == top && curve[5] == top;
+  if (!isDefault || !surface || surface->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < curve.size(); i += 3)
+  {
+    surface->GetPoint(surface->FindPoint(&curve[i]), &curve[i]);
+  }
+  points.Set(curve.data(), static_cast<unsigned int>(curve.size()));
+  filter->UpdateVTKObjects();
+}
+
 double largestDistance(vtkSMSourceProxy* filter)
 {
-  const char* name = vtkSMPropertyHelper(filter, "DistanceArrayName", true).GetAsString();
-  vtkPVArrayInformation* array = name
-    ? filter->GetDataInformation(0)->GetPointDataInformation()->GetArrayInformation(name)
-    : nullptr;
+  vtkPVArrayInformation* array = distancesOf(filter);
   return array ? array->GetComponentFiniteRange(0)[1] : 0.0;
 }
 

@@ -14,6 +14,9 @@ namespace lines
 /// Whether a filter is of this plugin.
 bool isGeodesicFilter(vtkSMSourceProxy* filter);
 
+/// Whether a filter is one of those that give a field.
+bool isField(vtkSMSourceProxy* filter);
+
 /// Whether an output of a filter of this plugin is lines on a surface.
 bool areOutput(vtkSMSourceProxy* filter, unsigned int port);
 
@@ -31,6 +34,14 @@ void chooseOnlySource(vtkSMSourceProxy* filter);
 
 /// The largest distance that a field has found; 0 before it is executed, and for other filters.
 double largestDistance(vtkSMSourceProxy* filter);
+
+/// Whether an execution has left points of the surface without a distance, which NaN or infinity
+/// stands for.
+bool hasUnreached(vtkSMSourceProxy* filter);
+
+/// The two points of a curve that is there before it is drawn, above the surface, go to the
+/// surface's nearest points.
+void putDefaultCurveOnSurface(vtkSMSourceProxy* filter);
 
 /// Fills in those numbers on the panel that the client finds in the output.
 void setResults(vtkSMSourceProxy* filter);

@@ -19,12 +19,14 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSettings.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -37,6 +39,12 @@ bool areScalarBarsShown(vtkSMProxy* proxy)
   return settings &&
     vtkSMPropertyHelper(settings, "ScalarBarMode", true).GetAsInt() ==
     vtkPVGeneralSettings::AUTOMATICALLY_SHOW_AND_HIDE_SCALAR_BARS;
+}
+
+/// Whether this is ParaView's window; else a script does what it says, and no more.
+bool hasPanel()
+{
+  return vtkSMProxyManager::GetProxyManager()->GetUndoStackBuilder() != nullptr;
 }
 
 void colorBy(vtkSMPVRepresentationProxy* representation, const char* array)
@@ -58,6 +66,7 @@ void colorBy(vtkSMPVRepresentationProxy* representation, const char* array)
 
 /// The distance with the side of the source as its sign has a name that users cannot change.
 const std::string SignedArray = "SignedGeodesicDistance";
+const std::string SourceIds = "SourceId";
 
 /// The panel's Color By Stripes; other filters than the field have none.
 bool showsStripes(vtkSMProxy* filter)
@@ -86,6 +95,7 @@ public:
       this->HasStripes = !this->HasStripes;
       this->SwitchStripes(filter);
     }
+    this->FitTables(filter);
   }
 
   const RegistrationWatch* Filters = nullptr;
@@ -93,6 +103,9 @@ public:
   bool HasStripes = false;
 
 private:
+  /// The color maps of the filter's results cover them at every time step.
+  void FitTables(vtkSMSourceProxy* filter) const;
+
   void SetRangesOfContours() const;
 
   /// Puts stripes into the color maps that show the filter's distances, or ParaView's own colors.
@@ -147,16 +160,29 @@ void FilterWatch::ColorNewResult(vtkSMSourceProxy* filter)
   }
 }
 
-void FilterWatch::SwitchStripes(vtkSMSourceProxy* filter) const
+/// The color maps that show a filter's arrays, with the names of the arrays.
+std::set<std::pair<vtkSMProxy*, std::string>> tablesOf(vtkSMSourceProxy* filter)
 {
-  const std::string distance = vtkSMPropertyHelper(filter, "DistanceArrayName").GetAsString();
+  std::set<std::pair<vtkSMProxy*, std::string>> tables;
   for (unsigned int i = 0; i < filter->GetNumberOfConsumers(); ++i)
   {
     auto* shown = vtkSMPVRepresentationProxy::SafeDownCast(filter->GetConsumerProxy(i));
     vtkSMProxy* table =
       shown ? vtkSMPropertyHelper(shown, "LookupTable", true).GetAsProxy() : nullptr;
-    const std::string array =
-      table ? vtkSMPropertyHelper(shown, "ColorArrayName").GetInputArrayNameToProcess() : "";
+    if (table)
+    {
+      tables.emplace(
+        table, vtkSMPropertyHelper(shown, "ColorArrayName").GetInputArrayNameToProcess());
+    }
+  }
+  return tables;
+}
+
+void FilterWatch::SwitchStripes(vtkSMSourceProxy* filter) const
+{
+  const std::string distance = vtkSMPropertyHelper(filter, "DistanceArrayName").GetAsString();
+  for (const auto& [table, array] : tablesOf(filter))
+  {
     if (array != distance && array != SignedArray)
     {
       continue;
@@ -219,8 +245,11 @@ public:
     {
       vtkSMPropertyHelper input(shown, "Input", true);
       auto* filter = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-      if (filter && lines::areOutput(filter, input.GetOutputPort()) &&
-        !shown->GetSessionProxyManager()->GetInLoadXMLState())
+      if (!filter || shown->GetSessionProxyManager()->GetInLoadXMLState())
+      {
+        return;
+      }
+      if (lines::areOutput(filter, input.GetOutputPort()))
       {
         lines::show(shown);
       }
@@ -233,6 +262,8 @@ public:
       }
     }
   }
+
+  bool HasFilters() const { return !this->Filters.empty(); }
 
   /// Once: a user may take them away.
   void AddPresets()
@@ -254,6 +285,18 @@ public:
         lines::setRangeOfDistances(filter, { this->Filters.begin(), this->Filters.end() });
       }
     }
+  }
+
+  /// Whether a filter has not reached points to which its distance is asked for by this name.
+  bool HasUnreached(const std::string& array) const
+  {
+    return std::any_of(this->Filters.begin(), this->Filters.end(),
+      [&array](vtkSMSourceProxy* filter)
+      {
+        const char* name =
+          filter ? vtkSMPropertyHelper(filter, "DistanceArrayName", true).GetAsString() : nullptr;
+        return name && (array == name || array == SignedArray) && lines::hasUnreached(filter);
+      });
   }
 
   /// Whether an array is a distance of filters of this plugin, none of which has its stripes off.
@@ -295,9 +338,10 @@ private:
       watch->HasStripes = showsStripes(filter);
       filter->AddObserver(vtkCommand::UpdateDataEvent, watch);
       lines::roundDefaultDistance(filter);
-      if (vtkSMProxyManager::GetProxyManager()->GetUndoStackBuilder()) // there is a panel
+      if (hasPanel() && !filter->GetSessionProxyManager()->GetInLoadXMLState())
       {
         lines::chooseOnlySource(filter);
+        lines::putDefaultCurveOnSurface(filter);
       }
       this->SetRangesOfContours();
     }
@@ -315,6 +359,7 @@ private:
       !table->GetSessionProxyManager()->GetInLoadXMLState())
     {
       stripes::fill(table, watch->Array == SignedArray);
+      stripes::setUnreached(table, this->HasUnreached(watch->Array));
     }
     table->AddObserver(vtkCommand::UpdateEvent, watch);
   }
@@ -328,9 +373,33 @@ void FilterWatch::SetRangesOfContours() const
   this->Filters->SetRangesOfContours();
 }
 
+void FilterWatch::FitTables(vtkSMSourceProxy* filter) const
+{
+  for (const auto& [table, array] : tablesOf(filter))
+  {
+    if (array == SourceIds)
+    {
+      stripes::showIds(table);
+    }
+    else if (stripes::areIn(table) && this->Filters->HasStripes(array))
+    {
+      stripes::setUnreached(table, this->Filters->HasUnreached(array));
+      const int mode = vtkSMPropertyHelper(table, "AutomaticRescaleRangeMode").GetAsInt();
+      if (mode == vtkSMTransferFunctionManager::GROW_ON_APPLY)
+      {
+        vtkSMTransferFunctionProxy::RescaleTransferFunctionToDataRange(table, /*extend=*/true);
+      }
+    }
+  }
+}
+
 void TableWatch::Execute(vtkObject* caller, unsigned long, void*)
 {
   auto* table = static_cast<vtkSMProxy*>(caller);
+  if (this->Array == SourceIds && this->Filters->HasFilters())
+  {
+    stripes::showIds(table);
+  }
   const bool hasStripes = stripes::areIn(table) && this->Filters->HasStripes(this->Array);
   if (hasStripes)
   {

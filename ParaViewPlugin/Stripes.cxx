@@ -25,6 +25,12 @@ const Color Black{ 0.0, 0.0, 0.0 };
 /// Of points that are not reached.
 const Color Gray{ 0.75, 0.75, 0.75 };
 
+/// Of ids, one after the other: none is the green of curves. Points that are not reached are gray.
+const std::vector<Color> IdColors{ { 0.90, 0.62, 0.00 }, { 0.34, 0.71, 0.91 }, { 0.80, 0.47, 0.65 },
+  { 0.94, 0.89, 0.26 }, { 0.00, 0.45, 0.70 }, { 0.84, 0.37, 0.00 }, { 0.55, 0.40, 0.30 },
+  { 0.80, 0.75, 0.90 } };
+constexpr int MostIds = 32;
+
 /// More would be too thin to count; of round widths the next one gives at least 17.
 constexpr int MostStripes = 40;
 constexpr int MostTicks = 9;
@@ -148,7 +154,6 @@ void write(vtkSMProxy* table, const Stripes& stripes)
   // As many samples in every stripe.
   vtkSMPropertyHelper(table, "NumberOfTableValues").Set(1024 / stripes.count * stripes.count);
   vtkSMPropertyHelper(table, "Discretize").Set(1);
-  vtkSMPropertyHelper(table, "UseAboveRangeColor").Set(1);
   vtkSMPropertyHelper(table, "AboveRangeColor").Set(Gray.data(), 3);
   vtkSMPropertyHelper(table, "NanColor").Set(Gray.data(), 3);
   table->UpdateVTKObjects();
@@ -232,6 +237,16 @@ void fill(vtkSMProxy* table, bool isSigned)
   write(table, wanted.count > 0 ? wanted : roundStripes(0.0, 1.0, isSigned));
 }
 
+void setUnreached(vtkSMProxy* table, bool isUnreached)
+{
+  vtkSMPropertyHelper gray(table, "UseAboveRangeColor");
+  if (areIn(table) && (gray.GetAsInt() != 0) != isUnreached)
+  {
+    gray.Set(isUnreached ? 1 : 0);
+    table->UpdateVTKObjects();
+  }
+}
+
 void makeRound(vtkSMProxy* table)
 {
   const Stripes now = read(table);
@@ -247,6 +262,12 @@ void makeRound(vtkSMProxy* table)
 
 void setTicks(vtkSMProxy* bar, vtkSMProxy* table)
 {
+  // ParaView has no word for the box of infinite values: the one of NaN, which is gray, too, has
+  // it.
+  const int hasGray = vtkSMPropertyHelper(table, "UseAboveRangeColor").GetAsInt();
+  vtkSMPropertyHelper(bar, "DrawNanAnnotation").Set(hasGray);
+  vtkSMPropertyHelper(bar, "NanAnnotation").Set("not reached");
+  bar->UpdateVTKObjects();
   const Stripes shown = read(table);
   const double length = shown.count * shown.width;
   double step = roundStep(length, MostTicks);
@@ -280,6 +301,39 @@ void setTicks(vtkSMProxy* table)
   {
     setTicks(bar, table);
   }
+}
+
+void showIds(vtkSMProxy* table)
+{
+  double range[2];
+  const bool isNew = vtkSMPropertyHelper(table, "AnnotationsInitialized", true).GetAsInt() == 0;
+  if ((!isNew && vtkSMPropertyHelper(table, "IndexedLookup").GetAsInt() == 0) ||
+    !vtkSMTransferFunctionProxy::ComputeDataRange(table, range) || range[1] - range[0] >= MostIds)
+  {
+    return;
+  }
+  vtkSMPropertyHelper words(table, "Annotations");
+  std::vector<double> colors;
+  const auto first = static_cast<int>(range[0]), last = static_cast<int>(range[1]);
+  const auto count = static_cast<unsigned int>(last - first + 1);
+  if (words.GetNumberOfElements() == 2 * count && std::to_string(first) == words.GetAsString(0))
+  {
+    return;
+  }
+  words.SetNumberOfElements(2 * count);
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    const int id = first + static_cast<int>(i);
+    const std::string name = std::to_string(id);
+    words.Set(2 * i, name.c_str());
+    words.Set(2 * i + 1, id < 0 ? "not reached" : name.c_str());
+    const Color& color = id < 0 ? Gray : IdColors[static_cast<std::size_t>(id) % IdColors.size()];
+    colors.insert(colors.end(), color.begin(), color.end());
+  }
+  vtkSMPropertyHelper(table, "IndexedColors").Set(colors.data(), 3 * count);
+  vtkSMPropertyHelper(table, "IndexedLookup").Set(1);
+  vtkSMPropertyHelper(table, "AnnotationsInitialized", true).Set(1);
+  table->UpdateVTKObjects();
 }
 
 void resetTicks(vtkSMProxy* table)

@@ -23,12 +23,21 @@ void fill(vtkSMProxy* table, bool isSigned);
 /// Where ParaView has rescaled stripes to the range of data, they become round again.
 void makeRound(vtkSMProxy* table);
 
-/// Gives the scalar bar (or all scalar bars) of a color map ticks where stripes meet.
+/// A color map gets gray for what is not reached, if there is such a thing; else there is no gray
+/// box at its scalar bars.
+void setUnreached(vtkSMProxy* table, bool isUnreached);
+
+/// Gives the scalar bar (or all scalar bars) of a color map ticks where stripes meet, and the
+/// word for gray.
 void setTicks(vtkSMProxy* bar, vtkSMProxy* table);
 void setTicks(vtkSMProxy* table);
 
 /// The scalar bars of a color map get the ticks of ParaView again.
 void resetTicks(vtkSMProxy* table);
+
+/// The ids of sources have one color each, with the id beside it in the scalar bar, unless there
+/// are too many to be told apart, or the user has chosen other colors.
+void showIds(vtkSMProxy* table);
 
 /// The smallest number 1, 2 or 5 times a power of ten that fits into a length at most that often.
 double roundStep(double length, int atMost);

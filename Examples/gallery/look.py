@@ -82,6 +82,7 @@ def steps(display, array, low, high, colors):
     simple.ColorBy(display, array)
     ends = np.linspace(low, high, len(colors) + 1)
     table = display.LookupTable
+    table.InterpretValuesAsCategories = 0
     table.ColorSpace = "RGB"
     table.RGBPoints = [x for low, high, color in zip(ends, ends[1:], colors)
                        for x in (low, *color, high, *color)]

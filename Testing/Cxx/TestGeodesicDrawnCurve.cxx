@@ -100,6 +100,18 @@ void CheckFarCurve(Check& check)
   check.Equal(field->GetSourceSnapDistance(), std::hypot(3.0, 7.0), "how far it was");
 }
 
+/// Handles that are dragged beside the surface go onto it without a word.
+void CheckCurveBeside(Check& check)
+{
+  vtkNew<DrawnField> field;
+  field->SetInputData(Square(4));
+  Draw(field, { { 0.25, 0.25, 0 }, { 0.75, 0.5, 0.5 } });
+  Messages messages(field);
+  messages.Update();
+  check.That(messages.Warning().empty(), "a curve beside: " + messages.Warning());
+  check.Equal(field->GetSourceSnapDistance(), 0.5, "how far it was beside");
+}
+
 /// The length of a source: a drawn curve is a ruler.
 void CheckLength(Check& check)
 {
@@ -178,6 +190,7 @@ int TestGeodesicDrawnCurve(int, char*[])
   CheckCurves(check);
   CheckExecutesWhenTheCurveChanges(check);
   CheckFarCurve(check);
+  CheckCurveBeside(check);
   CheckLength(check);
   CheckWithoutPoints(check);
   CheckExchangedExecutive(check);

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Used from the Python shell of the ParaView GUI: what a new user begins with, a ball with two lines and
+another ball apart, and what is seen of the filters later."""
+
+import json
+import os
+import pathlib
+
+from paraview import simple
+
+FOLDER = pathlib.Path(os.environ["GEODESIC_GUI_FOLDER"])
+RADIUS = 0.5
+
+
+def begin():
+    view = simple.GetActiveViewOrCreate("RenderView")
+    ball = simple.Sphere(registrationName="Ball", Radius=RADIUS, ThetaResolution=60, PhiResolution=60)
+    simple.Show(ball, view)
+    simple.PolyLineSource(registrationName="Front", Points=[-0.1, 0, 0.5, 0.1, 0, 0.5])
+    left, right = (simple.PolyLineSource(Points=[x, -0.1, 0, x, 0.1, 0]) for x in (-0.5, 0.5))
+    simple.AppendGeometry(registrationName="Sides", Input=[left, right])
+    far = simple.Sphere(Radius=0.1, Center=(0, 0.8, 0))
+    simple.AppendGeometry(registrationName="Balls", Input=[ball, far])
+    simple.SetActiveSource(ball)
+    # A tenth of the view's height is 0.2.
+    view.CameraParallelProjection, view.CameraParallelScale = 1, 1
+    view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = (0, 0, 0), (0, 0, 5), (0, 1, 0)
+
+
+def note(step, **seen):
+    (FOLDER / f"geodesic-new-user-{step}.json").write_text(json.dumps(seen))
+
+
+def picture(step):
+    simple.SaveScreenshot(str(FOLDER / f"geodesic-new-user-{step}.png"), ImageResolution=(600, 500))
+
+
+def select(name):
+    simple.SetActiveSource(simple.FindSource(name))
+
+
+def note_curve(step):
+    curve = simple.FindSource("GeodesicDistanceFieldFromDrawnCurve1").SMProxy.GetProperty("Points")
+    note(step, points=[curve.GetUncheckedElement(i) for i in range(curve.GetNumberOfUncheckedElements())])
+
+
+def note_shown(step):
+    """What is selected, and what the view shows."""
+    view = simple.GetActiveView()
+    names = {proxy.SMProxy: name for (name, _), proxy in simple.GetSources().items()}
+    inputs = [display.SMProxy.GetProperty("Input") for display in view.Representations
+              if display.SMProxy.GetProperty("Input") and display.Visibility]
+    shown = [f"{names[shown.GetProxy(0)]}:{shown.GetOutputPortForConnection(0)}" for shown in inputs]
+    note(f"{step}-shown", selected=names[simple.GetActiveSource().SMProxy], shown=sorted(shown))
+
+
+def show_array(name):
+    display = simple.GetDisplayProperties(simple.GetActiveSource())
+    simple.ColorBy(display, ("POINTS", name))
+    display.SetScalarBarVisibility(simple.GetActiveView(), True)
+    simple.Render()
+
+
+def note_colors(step):
+    """The color map and the bar of what is selected."""
+    view = simple.GetActiveView()
+    display = simple.GetDisplayProperties(simple.GetActiveSource())
+    table = display.LookupTable
+    bar = simple.GetScalarBar(table, view)
+    note(step, array=display.ColorArrayName[1], categories=table.InterpretValuesAsCategories,
+         annotations=list(table.Annotations), colors=list(table.IndexedColors), nodes=list(table.RGBPoints),
+         has_gray=table.UseAboveRangeColor, has_word=bar.DrawNanAnnotation, word=bar.NanAnnotation)
+    picture(step)
+
+
+def animate():
+    """The maximum distance grows."""
+    scene = simple.GetAnimationScene()
+    scene.PlayMode = "Sequence"
+    scene.NumberOfFrames = 3
+    track = simple.GetAnimationTrack("MaximumDistance", 0, simple.GetActiveSource())
+    track.KeyFrames = [simple.CompositeKeyFrame(KeyTime=time, KeyValues=[value])
+                       for time, value in ((0, 0.4), (1, 1.2))]

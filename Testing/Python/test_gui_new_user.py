@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A new user in the real GUI: keys draw a curve on the surface; ids have one color each; gray has a word, and
+is there only if something is not reached; the color map grows with time.
+
+usage: pvpython test_gui_new_user.py PARAVIEW FOLDER
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+
+paraview, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+here = pathlib.Path(__file__).resolve().parent
+for old in folder.glob("geodesic-new-user*"):
+    old.unlink()
+
+# Each event that finds no widget, and each check that does not hold, ends ParaView with an error.
+run = subprocess.run(
+    ["timeout", "250", paraview, "--dr", f"--test-directory={folder}",
+     f"--test-script={here / 'gui_new_user_events.xml'}", "--exit"],
+    env={**os.environ, "GEODESIC_GUI_FOLDER": str(folder)}, text=True,
+    stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+print(run.stdout)
+assert run.returncode == 0, run.returncode
+assert "Traceback" not in run.stdout
+assert "away from the surface" not in run.stdout, "the curve that is there at first is in the air"
+
+
+def noted(step):
+    return json.loads((folder / f"geodesic-new-user-{step}.json").read_text())
+
+
+# ------------------------------------------------------------------------------------- the drawn curve
+curves = {step: np.reshape(noted(step)["points"], (-1, 3))
+          for step in ("default", "appended", "beside", "removed")}
+np.testing.assert_allclose(np.linalg.norm(curves["default"], axis=1), 0.5, atol=1e-6)
+assert len(curves["default"]) == 2 and len(curves["appended"]) == 4, curves
+np.testing.assert_array_equal(curves["appended"][:2], curves["default"])
+# Where the mouse was: a pixel is below 0.01.
+np.testing.assert_allclose(curves["appended"][2:, :2], ((0, 0), (0, 0.2)), atol=0.01)
+assert np.all(curves["appended"][2:, 2] > 0.4), curves["appended"]
+np.testing.assert_array_equal(curves["beside"], curves["appended"])
+np.testing.assert_array_equal(curves["removed"], curves["appended"][:3])
+
+# -------------------------------------------------------------------------- what is selected and shown
+for step, name in (("drawn", "GeodesicDistanceFieldFromDrawnCurve1"), ("other", "GeodesicDistanceField1"),
+                   ("front", "GeodesicDistanceField1")):
+    seen = noted(f"{step}-shown")
+    assert seen["selected"] == name and {f"{name}:0", f"{name}:1"} <= set(seen["shown"]), (step, seen)
+
+# ---------------------------------------------------------------------------------------------- colors
+near, ids, apart, played = (noted(step) for step in ("other", "ids", "apart", "played"))
+assert ids["array"] == "SourceId" and ids["categories"], ids
+assert ids["annotations"] == ["0", "0", "1", "1"], ids
+assert len(ids["colors"]) == 6 and ids["colors"][:3] != ids["colors"][3:], ids
+assert not near["has_gray"] and not near["has_word"], near
+for seen in (apart, played):
+    assert seen["has_gray"] and seen["has_word"] and seen["word"] == "not reached", seen
+
+# At the last frame the front goes up to 1.2 in place of 0.4.
+assert apart["nodes"][-4] < 0.8 < 1.2 <= played["nodes"][-4], (apart["nodes"], played["nodes"])
