@@ -261,8 +261,8 @@ public:
     this->IsRefined = this->CanRefine();
     if (this->IsRefined)
     {
-      this->Displaced = displacementsOfPoints(
-        surface, this->Execution.surfaceBlocks(), this->Self->OutputPointsPrecision, Job());
+      this->Displaced = displacementsOfPoints(surface, this->Execution.surfaceBlocks(),
+        this->Self->OutputPointsPrecision, this->Execution.job());
     }
     SolvedSurface solved = solveField(this->Execution, this->Request());
     this->TakeNumbers(solved);

@@ -97,17 +97,11 @@ bool isGeodesicFilter(vtkSMSourceProxy* filter)
   return name && std::string(name).rfind("vtkGeodesic", 0) == 0;
 }
 
-bool isField(vtkSMSourceProxy* filter)
-{
-  const char* name = filter->GetVTKClassName();
-  return name && std::string(name).rfind("vtkGeodesicDistanceField", 0) == 0;
-}
-
 bool areOutput(vtkSMSourceProxy* filter, unsigned int port)
 {
   const std::string name = filter->GetVTKClassName() ? filter->GetVTKClassName() : "";
   return name == "vtkGeodesicContour" || name == "vtkGeodesicPaths" ||
-    (port == 1 && isField(filter));
+    (port == 1 && name.rfind("vtkGeodesicDistanceField", 0) == 0);
 }
 
 void show(vtkSMPVRepresentationProxy* representation)

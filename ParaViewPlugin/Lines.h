@@ -14,9 +14,6 @@ namespace lines
 /// Whether a filter is of this plugin.
 bool isGeodesicFilter(vtkSMSourceProxy* filter);
 
-/// Whether a filter is one of those that give a field.
-bool isField(vtkSMSourceProxy* filter);
-
 /// Whether an output of a filter of this plugin is lines on a surface.
 bool areOutput(vtkSMSourceProxy* filter, unsigned int port);
 

@@ -12,7 +12,6 @@
 /// - What colors show ParaView chooses when an output is shown first. Where it was empty then, as
 /// the first
 ///   execution had failed, that is made up for when there is a result.
-/// - A new field hides the others of the same surface (Lines.h).
 /// - Distances are shown in stripes (Stripes.h); lines as tubes, and what a panel begins with is
 /// chosen (Lines.h).
 ///

@@ -139,6 +139,8 @@ public:
   ///          stage is, throws NotEnoughMemory if the system has hardly any left.
   /// \throws Aborted
   Job begin(Stage stage);
+  /// The threads and the watcher, for short loops between stages.
+  const Job& job() const { return this->job_; }
 
   /// What the user should know.
   Notes& notes() { return this->notes_; }

@@ -53,6 +53,20 @@ constexpr StageRow Stages[] = {
   { Stage::Write, "writing the outputs, after all was computed", 5.0 },
 };
 
+constexpr bool areInOrder()
+{
+  int next = 0;
+  for (const StageRow& row : Stages)
+  {
+    if (row.stage != static_cast<Stage>(next++))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+static_assert(areInOrder(), "rowOf() finds rows by their place");
+
 constexpr const StageRow& rowOf(Stage stage)
 {
   return Stages[static_cast<int>(stage)];

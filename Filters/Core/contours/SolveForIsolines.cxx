@@ -120,7 +120,7 @@ DistanceField solveForIsolines(const MeshPartition& surface, const SourceWindows
   const std::vector<double>& values, const FrontOptions& options, int maximumDroppingSolves)
 {
   return solveDropping(surface, sources, options, maximumDroppingSolves,
-    [&](const std::vector<std::uint8_t>& pinned, const FrontOptions&)
+    [&](const std::vector<std::uint8_t>& pinned)
     { return IsolineRetention(surface, values, pinned); });
 }
 

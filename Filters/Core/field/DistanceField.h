@@ -122,8 +122,9 @@ DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& so
 /// ranks solve again and keep these. The last solve keeps all windows of their faces.
 ///
 /// \param maximumSolves the largest number of solves that drop windows.
-/// \param makeRetention (pinned, options) -> a retention with droppedTooEarly() and release(). For
-///        each face, `pinned` is not 0 if the face's windows must not be dropped.
+/// \param makeRetention (pinned) -> a retention with droppedTooEarly() and release(). For each
+/// face,
+///        `pinned` is not 0 if the face's windows must not be dropped.
 /// \param pinned faces whose windows must not be dropped in the first solve; empty: none.
 template <typename MakeRetention>
 DistanceField solveDropping(const MeshPartition& surface, const SourceWindows& sources,
@@ -133,7 +134,7 @@ DistanceField solveDropping(const MeshPartition& surface, const SourceWindows& s
   pinned.resize(surface.mesh().numberOfFaces(), 0);
   for (int solves = 0; solves < maximumSolves; ++solves)
   {
-    auto retention = makeRetention(pinned, options);
+    auto retention = makeRetention(pinned);
     FrontResult front = propagate(surface, sources, options, retention);
     if (!surface.exchange().isTrueAnywhere(!retention.droppedTooEarly().empty()))
     {

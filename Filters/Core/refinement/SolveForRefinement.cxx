@@ -25,8 +25,8 @@ DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindo
   merging.maximumMerged = std::min(options.maximumMerged, maximumMergedFor(refinementTolerance));
   return solveDropping(
     surface, sources, merging, options.relativeError > 0.0 ? 0 : maximumDroppingSolves,
-    [&](const std::vector<std::uint8_t>& kept, const FrontOptions& all)
-    { return RefinementRetention(surface, refinementTolerance, kept, all.job); },
+    [&](const std::vector<std::uint8_t>& kept)
+    { return RefinementRetention(surface, refinementTolerance, kept, options.job); },
     pinned);
 }
 
