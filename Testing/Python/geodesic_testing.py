@@ -3,6 +3,8 @@
 
 import contextlib
 import os
+import pathlib
+import subprocess
 
 import numpy as np
 from paraview import simple
@@ -17,6 +19,22 @@ def load_plugin():
     """The function GeodesicDistanceField, from the plugin that the build has made."""
     simple.LoadPlugin(os.environ["GEODESIC_PLUGIN"], remote=False, ns=vars(simple))
     return simple.GeodesicDistanceField
+
+
+def run_gui(paraview, folder, events, setup=None, seconds=250):
+    """Plays events, from a file beside this one or with a path of its own, in the real GUI, whose scripts write into
+    the folder; setup is a script to begin with. What ParaView says."""
+    here = pathlib.Path(__file__).resolve().parent
+    # Each event that finds no widget, and each check that does not hold, ends ParaView with an error.
+    # timeout also ends what the launcher has started.
+    run = subprocess.run(
+        ["timeout", str(seconds), paraview, "--dr", f"--test-directory={folder}",
+         *([f"--script={here / setup}"] if setup else []), f"--test-script={here / events}", "--exit"],
+        env={**os.environ, "GEODESIC_GUI_FOLDER": str(folder)}, text=True,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    print(run.stdout)
+    assert run.returncode == 0, run.returncode
+    return run.stdout
 
 
 @contextlib.contextmanager

@@ -7,30 +7,22 @@ usage: pvpython test_gui.py PARAVIEW FOLDER
 """
 
 import json
-import os
 import pathlib
 import pickle
-import subprocess
 import sys
 
 import numpy as np
 
-from geodesic_testing import FLOAT, assert_close, distance_to_segments
+from geodesic_testing import FLOAT, assert_close, distance_to_segments, run_gui
 from pixels import read_pixels
 
 paraview, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-here = pathlib.Path(__file__).resolve().parent
 picture = folder / "geodesic-gui.png"
 picture.unlink(missing_ok=True)
 for old in folder.glob("geodesic-gui-*.*"):
     old.unlink()
 
-# Each event that finds no widget, and each check that does not hold, ends ParaView with an error.
-# timeout also ends what the launcher has started.
-subprocess.run(
-    ["timeout", "100", paraview, "--dr", f"--test-directory={folder}",
-     f"--script={here / 'gui_setup.py'}", f"--test-script={here / 'gui_events.xml'}", "--exit"],
-    check=True, env={**os.environ, "GEODESIC_GUI_FOLDER": str(folder)})
+run_gui(paraview, folder, "gui_events.xml", "gui_setup.py", seconds=100)
 
 # On the sheet the distance is that from its middle line: from yellow there over red to blue at both
 # sides, about as much yellow as blue.

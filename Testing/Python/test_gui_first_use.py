@@ -6,16 +6,15 @@ panel; properties for points that are not reached do what they say.
 usage: pvpython test_gui_first_use.py PARAVIEW FOLDER
 """
 
-import os
 import pathlib
 import pickle
 import re
-import subprocess
 import sys
 
 import numpy as np
 from paraview import simple
 
+from geodesic_testing import run_gui
 from pixels import read_pixels
 
 paraview, folder = sys.argv[1], pathlib.Path(sys.argv[2])
@@ -28,21 +27,14 @@ if simple.GetParaViewVersion() >= (5, 13):
     events = events.replace('infinity "inf"', 'infinity "Infinity"')
 (folder / "geodesic-first-events.xml").write_text(events)
 
-# Each event that finds no widget, and each check that does not hold, ends ParaView with an error.
-run = subprocess.run(
-    ["timeout", "100", paraview, "--dr", f"--test-directory={folder}",
-     f"--script={here / 'gui_first_use_setup.py'}",
-     f"--test-script={folder / 'geodesic-first-events.xml'}", "--exit"],
-    env={**os.environ, "GEODESIC_GUI_FOLDER": str(folder)}, text=True,
-    stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-print(run.stdout)
-assert run.returncode == 0, run.returncode
+output = run_gui(
+    paraview, folder, folder / "geodesic-first-events.xml", "gui_first_use_setup.py", seconds=100)
 
 # One message for the Apply without a source. The line is 1.2 % of the sheets' size above them: one
 # warning for each filter, though the field is executed five times.
-errors = re.findall(r"ERR\| vtk.*", run.stdout)
+errors = re.findall(r"ERR\| vtk.*", output)
 assert len(errors) == 1 and "choose a Source, or set Source Type" in errors[0], errors
-warnings = re.findall(r"WARN\| vtkGeodesic.*", run.stdout)
+warnings = re.findall(r"WARN\| vtkGeodesic.*", output)
 assert len(warnings) == 3, warnings
 assert all("up to 0.02 away" in warning for warning in warnings), warnings
 

@@ -6,28 +6,20 @@ usage: pvpython test_gui_new_user.py PARAVIEW FOLDER
 """
 
 import json
-import os
 import pathlib
-import subprocess
 import sys
 
 import numpy as np
 
+from geodesic_testing import run_gui
+
 paraview, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-here = pathlib.Path(__file__).resolve().parent
 for old in folder.glob("geodesic-new-user*"):
     old.unlink()
 
-# Each event that finds no widget, and each check that does not hold, ends ParaView with an error.
-run = subprocess.run(
-    ["timeout", "250", paraview, "--dr", f"--test-directory={folder}",
-     f"--test-script={here / 'gui_new_user_events.xml'}", "--exit"],
-    env={**os.environ, "GEODESIC_GUI_FOLDER": str(folder)}, text=True,
-    stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-print(run.stdout)
-assert run.returncode == 0, run.returncode
-assert "Traceback" not in run.stdout
-assert "away from the surface" not in run.stdout, "the curve that is there at first is in the air"
+output = run_gui(paraview, folder, "gui_new_user_events.xml")
+assert "Traceback" not in output
+assert "away from the surface" not in output, "the curve that is there at first is in the air"
 
 
 def noted(step):

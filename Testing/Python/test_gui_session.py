@@ -9,34 +9,26 @@ usage: pvpython test_gui_session.py PARAVIEW FOLDER
 import os
 import pathlib
 import pickle
-import subprocess
 import sys
 
 import numpy as np
 from paraview import simple
 
-from geodesic_testing import FLOAT, assert_close, distance_to_segments
+from geodesic_testing import FLOAT, assert_close, distance_to_segments, run_gui
 
 paraview, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-here = pathlib.Path(__file__).resolve().parent
 os.environ["GEODESIC_GUI_FOLDER"] = str(folder)
 import gui_session  # noqa: E402
 
 for old in folder.glob("geodesic-session*"):
     old.unlink()
 
-# Each event that finds no widget, and each check that does not hold, ends ParaView with an error.
-# timeout also ends what the launcher has started.
-run = subprocess.run(
-    ["timeout", "250", paraview, "--dr", f"--test-directory={folder}",
-     f"--script={here / 'gui_session.py'}", f"--test-script={here / 'gui_session.xml'}", "--exit"],
-    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-assert run.returncode == 0, run.stdout
+output = run_gui(paraview, folder, "gui_session.xml", "gui_session.py")
 # The sheet is of triangles and the curve is drawn by hand: there is nothing to say, at no time step.
 # A handle is dragged off the surface, which is told; nothing else is said.
-said = [line for line in run.stdout.splitlines() if "vtkGeodesic" in line]
+said = [line for line in output.splitlines() if "vtkGeodesic" in line]
 assert said and all("FromDrawnCurve" in line and "away from the surface" in line for line in said), said
-assert "Traceback" not in run.stdout, run.stdout
+assert "Traceback" not in output, output
 
 FIRST, SECOND = "GeodesicDistanceFieldFromDrawnCurve1", "GeodesicDistanceFieldFromDrawnCurve2"
 
