@@ -2,6 +2,7 @@
 """Used from the Python shell of the ParaView GUI: what a new user begins with, a ball with two lines and
 another ball apart, and what is seen of the filters later."""
 
+import ctypes
 import json
 import os
 import pathlib
@@ -12,7 +13,19 @@ FOLDER = pathlib.Path(os.environ["GEODESIC_GUI_FOLDER"])
 RADIUS = 0.5
 
 
+def put_cursor(x, y):
+    """ParaView from 5.13 on picks nothing while the screen's cursor, which events do not move, is outside the view."""
+    x11 = ctypes.CDLL("libX11.so.6")
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    x11.XDefaultRootWindow.restype = ctypes.c_ulong
+    display = ctypes.c_void_p(x11.XOpenDisplay(None))
+    root = ctypes.c_ulong(x11.XDefaultRootWindow(display))
+    x11.XWarpPointer(display, ctypes.c_ulong(0), root, 0, 0, 0, 0, x, y)
+    x11.XCloseDisplay(display)  # which sends what waits
+
+
 def begin():
+    put_cursor(700, 300)
     view = simple.GetActiveViewOrCreate("RenderView")
     ball = simple.Sphere(registrationName="Ball", Radius=RADIUS, ThetaResolution=60, PhiResolution=60)
     simple.Show(ball, view)
