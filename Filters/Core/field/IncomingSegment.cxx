@@ -231,13 +231,18 @@ private:
   }
 
   // If ways are equally long but for rounding, the one whose end is straight the longest gives the
-  // best direction. A way from a corner as near as rounding gives none.
+  // best direction. A way from a corner as near as rounding gives none. Nor does one from a corner
+  // that is so near to the source: the way that passes it is shorter, unless rounding hides that.
   bool improve(Kind kind, double distance, double straight)
   {
     const double shortest = this->best_.distance;
-    const bool isTie =
-      std::abs(distance - shortest) <= tolerance::Tie * (distance + this->faceSize_);
-    if (!(isTie ? straight > this->straight_ : distance < shortest))
+    const double size = distance + this->faceSize_;
+    const bool isTie = std::abs(distance - shortest) <= tolerance::Tie * size;
+    const bool isAsStraight = std::abs(straight - this->straight_) <= tolerance::Tie * size;
+    const double ofCorner =
+      (kind == Kind::Corner ? 1.0 : 0.0) - (this->best_.kind == Kind::Corner ? 1.0 : 0.0);
+    const double least = shortest - ofCorner * tolerance::PlaceRounding * size;
+    if (!(isTie && !isAsStraight ? straight > this->straight_ : distance < least))
     {
       return false;
     }
@@ -257,9 +262,7 @@ private:
   IncomingRay rayFrom(const Barycentric& begin) const
   {
     const Id frame = longestHalfedge(this->mesh_, this->face_);
-    return { frame, false, 0.0,
-      inHalfedgeFrame(this->mesh_, frame, this->inFace_) -
-        inHalfedgeFrame(this->mesh_, frame, begin) };
+    return { frame, false, 0.0, wayInFrame(this->mesh_, frame, begin, this->inFace_) };
   }
 
   const DistanceField& field_;

@@ -12,6 +12,8 @@
 #include "front/VertexStates.h"
 #include "front/WaitingLists.h"
 
+#include <algorithm>
+
 namespace geodesic
 {
 
@@ -84,7 +86,7 @@ struct BatchTasks
   Mailboxes& mailboxes;
   Retention& retention;
   /// The largest number of faces that a shortest path can cross.
-  Id mostFaces = this->surface.numberOfGlobalFaces();
+  Id mostFaces = std::min(this->surface.numberOfGlobalFaces(), MaximumFacesCrossed);
   /// Of those looked for in the corridor.
   double longestPath =
     this->options.corridor != nullptr ? this->options.corridor->length : Infinity;

@@ -88,6 +88,7 @@ private:
     }
     this->startVertices(initial);
     this->startFaces(initial);
+    this->startAroundVertices(initial);
     std::stable_sort(initial.windows.begin(), initial.windows.end(),
       [this](const LeavingWindow& a, const LeavingWindow& b)
       {
@@ -115,11 +116,50 @@ private:
       this->vertices_[vertex].pseudoSource = TriangleMesh::PseudoSource::None;
       this->shorten({ vertex, 0.0, 0.0, {} });
     }
-    // Also vertices on a curve: a segment of a rounding's length may bound a wedge there.
-    for (const Id vertex : initial.nearVertices)
+  }
+
+  // After all sources: a near vertex with a fan emits into the shadow of the nearest of them.
+  void startAroundVertices(const SourceWindows& initial)
+  {
+    // Straight ways first: those by a near vertex may be as short but for rounding.
+    for (const bool isStraight : { true, false })
     {
-      this->vertices_[vertex].pseudoSource = TriangleMesh::PseudoSource::Irregular;
+      for (const LeavingWindow& to : initial.toVertices)
+      {
+        if ((to.window.sourceDepth > 0.0) == isStraight)
+        {
+          this->startAt(to);
+        }
+      }
     }
+    for (const NearVertex& near : initial.nearVertices)
+    {
+      VertexState& state = this->vertices_[near.vertex];
+      const double rounding = tolerance::PlaceRounding *
+        (near.halfedge != NoId ? this->mesh_.length(near.halfedge) : 0.0);
+      if (near.halfedge == NoId || near.distance > state.distance + rounding)
+      {
+        // Also vertices on a curve: a segment of a rounding's length may bound a wedge there.
+        state.pseudoSource = TriangleMesh::PseudoSource::Irregular;
+        continue;
+      }
+      state.arrivalHalfedge = near.halfedge;
+      state.arrivalX = near.x;
+      this->shorten({ near.vertex, near.distance, 0.0, {} });
+    }
+  }
+
+  // The vertex opposite a halfedge, from a window's source or along an edge from a near vertex.
+  void startAt(const LeavingWindow& to)
+  {
+    const Window& w = to.window;
+    const Vec2 apex = apexOf(this->mesh_, to.halfedge);
+    const bool isStraight = w.sourceDepth > 0.0;
+    const DistanceUpdate found = { this->mesh_.opposite(to.halfedge), w.straightDistance(apex), 0.0,
+      { to.halfedge, w.origin, isStraight ? w.crossing(apex) : w.sourceX,
+        isStraight ? apex - Vec2{ w.sourceX, -w.sourceDepth } : Vec2{}, w.place } };
+    this->shorten(found);
+    this->ranks_.addUpdate(found);
   }
 
   void startFaces(const SourceWindows& initial)

@@ -121,10 +121,10 @@ public:
     const double distance = std::max(update.distance, 0.0);
     VertexState& state = this->states_[update.vertex];
     const bool isShorter = distance < state.distance;
-    const bool isTie = distance >= state.distance * (1.0 - tolerance::Tie);
+    const bool isTie = distance >= state.distance * (1.0 - tolerance::Tie) ||
+      (isShorter && this->isBoundOnly(update));
     if (!this->arrivals_.empty() &&
-      ((isShorter && !isTie && !this->isArrivalKept(update)) ||
-        this->isArrivalMissing(update.vertex, distance)))
+      ((isShorter && !isTie) || this->isArrivalMissing(update.vertex, distance)))
     {
       this->arrivals_[update.vertex] = update.from;
     }
@@ -187,9 +187,9 @@ private:
         distance <= this->distance(vertex) + this->tieAround(vertex));
   }
   /// A bound along an edge does not determine the arrival: one that is a rounding longer stays.
-  bool isArrivalKept(const DistanceUpdate& update) const
+  bool isBoundOnly(const DistanceUpdate& update) const
   {
-    return !update.from.isKnown() && this->arrivals_[update.vertex].isKnown() &&
+    return !update.from.isKnown() && this->distance(update.vertex) < Infinity &&
       this->distance(update.vertex) - update.distance <= this->tieAround(update.vertex);
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/HalfedgeFrame.h"
 
+#include <algorithm>
+
 namespace geodesic
 {
 
@@ -17,6 +19,20 @@ Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& p
   }
   return { point[next] * length + point[previous] * shape.cornerDot[k] / length,
     point[previous] * shape.area2 / length };
+}
+
+Vec2 wayInFrame(
+  const TriangleMesh& mesh, Id halfedge, const Barycentric& from, const Barycentric& to)
+{
+  Barycentric way;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    way[k] = to[k] - from[k];
+  }
+  const auto largest =
+    static_cast<std::size_t>(std::max_element(to.begin(), to.end()) - to.begin());
+  way[largest] = -way[(largest + 1) % 3] - way[(largest + 2) % 3];
+  return inHalfedgeFrame(mesh, halfedge, way);
 }
 
 Barycentric fromHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, Vec2 point)

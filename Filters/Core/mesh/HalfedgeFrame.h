@@ -33,8 +33,14 @@ inline Barycentric between(const Barycentric& a, const Barycentric& b, double t)
 /// its origin, the face above it.
 Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& point);
 
-/// The inverse: the coordinates of a point of the plane, some of which are negative outside of the
-/// face. In a face without height, the coordinates of the nearest point on the halfedge's line.
+/// The way from one point of a face to another in that frame. Near a corner it has relative
+/// precision: of the larger weight, which is close to 1, nothing is used.
+Vec2 wayInFrame(
+  const TriangleMesh& mesh, Id halfedge, const Barycentric& from, const Barycentric& to);
+
+/// The inverse of inHalfedgeFrame(): the coordinates of a point of the plane, some of which are
+/// negative outside of the face. In a face without height, the coordinates of the nearest point on
+/// the halfedge's line.
 Barycentric fromHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, Vec2 point);
 
 /// The apex in that frame: the vertex opposite the halfedge, whose length must not be 0.

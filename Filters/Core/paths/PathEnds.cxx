@@ -2,10 +2,14 @@
 #include "paths/PathEnds.h"
 
 #include "Tolerance.h"
+#include "Trigonometry.h"
 #include "source/CurveSectors.h"
 #include "source/DirectionsAround.h"
+#include "source/NearVertex.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace geodesic
 {
@@ -36,16 +40,78 @@ std::vector<SourceInFace> sourcesByFace(const TriangleMesh& mesh, const CurveCha
   return sources;
 }
 
+/// The direction from a point beside a vertex to the place that a path comes from to the vertex. It
+/// leads past the vertex on the side of the shorter turn of at most pi, else to the vertex.
+///
+/// \param corner at the vertex, in the point's face.
+/// \param from where the path comes from, in a face of the vertex with this corner.
+/// \returns it in the frame of the first corner's first edge.
+Vec2 directionAround(const TriangleMesh& mesh, Id corner, const Barycentric& point, Id otherCorner,
+  const Barycentric& from)
+{
+  const SurfacePoint vertex = SurfacePoint::atVertex(mesh.origin(corner));
+  DirectionsAround around(mesh);
+  around.assign(vertex, {});
+  const Vec2 p = fromCorner(mesh, corner, point);
+  const Vec2 q = fromCorner(mesh, otherCorner, from);
+  double turn = around.around(otherCorner, q) - around.around(corner, p);
+  const double total = totalAngle(mesh, vertex.id);
+  turn -= total < Infinity ? total * std::floor(turn / total + 0.5) : 0.0;
+  if (!(std::abs(turn) < Pi))
+  {
+    return { -p.x, -p.y };
+  }
+  const bool isMirrored = around.isMirrored(TriangleMesh::faceOf(corner));
+  return norm(q) * unitVector(polarAngle(p) + (isMirrored ? -turn : turn)) - p;
+}
+
+/// directionFromEnd() of a path whose end lies beside a vertex and whose last pieces pass there.
+std::optional<Vec2> directionPastVertex(
+  const TriangleMesh& mesh, const std::vector<SurfacePoint>& path, Id face)
+{
+  const Barycentric end = barycentric(mesh, path.back(), face);
+  const auto largest = static_cast<Id>(std::max_element(end.begin(), end.end()) - end.begin());
+  const NearVertex near = nearVertexAt(mesh, 3 * face + largest, end);
+  const auto cornerIn = [&](Id other)
+  {
+    const Triangle& corners = mesh.triangle(other);
+    const auto k = std::find(corners.begin(), corners.end(), near.vertex) - corners.begin();
+    return k < 3 ? 3 * other + static_cast<Id>(k) : NoId;
+  };
+  for (std::size_t i = path.size() - 1; near.hasFan() && i > 0; --i)
+  {
+    const Id before = commonFace(mesh, path[i - 1], path[i]);
+    const Id corner = cornerIn(before);
+    if (corner == NoId)
+    {
+      break;
+    }
+    const Barycentric from = barycentric(mesh, path[i - 1], before);
+    if (norm(fromCorner(mesh, corner, from)) > tolerance::NearEdge * mesh.shape(before).longest())
+    {
+      return i + 1 < path.size()
+        ? std::optional(turned(mesh, directionAround(mesh, cornerIn(face), end, corner, from),
+            cornerIn(face), 3 * face))
+        : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
 /// The direction in which a path leaves its end, in the frame of the first halfedge of the face of
 /// its last piece. Where the end lies beside an edge that piece may be as short as the rounding of
 /// its place: the path comes straight from the piece before, with that piece's face laid out behind
 /// the edge.
 Vec2 directionFromEnd(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path, Id face)
 {
+  if (const std::optional<Vec2> past = directionPastVertex(mesh, path, face))
+  {
+    return *past;
+  }
   const Id frame = 3 * face;
   const SurfacePoint& before = path[path.size() - 2];
   const Vec2 last =
-    inHalfedgeFrame(mesh, frame, before) - inHalfedgeFrame(mesh, frame, path.back());
+    wayInFrame(mesh, frame, barycentric(mesh, path.back(), face), barycentric(mesh, before, face));
   const bool isLong = norm(last) > tolerance::NearEdge * mesh.shape(face).longest();
   if (isLong || before.kind != SurfacePoint::Kind::Edge || path.size() < 3)
   {

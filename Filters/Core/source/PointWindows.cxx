@@ -2,9 +2,11 @@
 #include "source/PointWindows.h"
 
 #include "Tolerance.h"
+#include "Trigonometry.h"
 #include "window/UnfoldedFace.h"
 
 #include <algorithm>
+#include <array>
 
 namespace geodesic
 {
@@ -52,6 +54,11 @@ bool isBesideHalfedge(Vec2 point, double length)
   return -point.y <= tolerance::NearEdge * length && point.x > 0.0 && point.x < length;
 }
 
+bool isOn(const Barycentric& point, Id halfedge)
+{
+  return point[(halfedge + 2) % 3] == 0.0;
+}
+
 /// Adds the circular windows of a point through the halfedges of one face.
 struct PointEmitter
 {
@@ -94,6 +101,114 @@ struct PointEmitter
     }
   }
 
+  /// Sends the rays of a point near a vertex around it, from face to face, beginning across a
+  /// halfedge of the point's own face. The vertex is one end of each halfedge that is crossed. As
+  /// seen from the vertex, rays turn by the angle between the point and where they go: by at most
+  /// pi, and by no more than in the other direction.
+  ///
+  /// \param turn from the point to the halfedge.
+  /// \param kind of the windows, another one in the other direction.
+  void sendAround(const NearVertex& near, Id halfedge, double turn, Window::Kind kind)
+  {
+    const double total = totalAngle(this->mesh, near.vertex);
+    const bool hasShadow = !(total < Infinity) ||
+      this->mesh.pseudoSource(near.vertex) == TriangleMesh::PseudoSource::Saddle;
+    const double mostTurn = hasShadow ? Pi : 0.5 * total;
+    WindowFrame frame = { halfedge };
+    while (!this->mesh.isBoundary(halfedge) && turn < mostTurn)
+    {
+      const double length = this->mesh.length(halfedge);
+      const Vec2 p = near.distance * unitVector(turn);
+      Window w = { 0.0, length, this->mesh.origin(halfedge) == near.vertex ? length - p.x : p.x,
+        std::max(p.y, 0.0), 0.0, 0.0, kind, 0 };
+      this->endAt(halfedge, w, frame);
+
+      const Id entered = this->mesh.nextSibling(halfedge);
+      if (this->mesh.origin(entered) == this->mesh.origin(halfedge))
+      {
+        w.sourceX = length - w.sourceX;
+        frame = frame.mirrored();
+      }
+      const double width = this->mesh.cornerAngle(
+        this->mesh.origin(entered) == near.vertex ? entered : TriangleMesh::nextInFace(entered));
+      halfedge =
+        this->passFaceAround(near, entered, w, { width, mostTurn - turn, hasShadow }, frame);
+      turn += width;
+    }
+  }
+
+  // Windows at an edge of a near vertex, for points of the face behind it.
+  void endAt(Id halfedge, Window w, const WindowFrame& frame)
+  {
+    w.facesCrossed = MaximumFacesCrossed;
+    this->addBySector({ halfedge, w }, frame);
+  }
+
+  /// The angle of a face at a near vertex, how much of it rays may go through, and whether the rest
+  /// is in the shadow of the vertex.
+  struct Turn
+  {
+    double width;
+    double most;
+    bool hasShadow;
+  };
+
+  // Sends rays through the edge opposite the vertex; where all of them pass, also to that edge's
+  // far end. Returns the other edge at the vertex, and replaces the frame by that behind it.
+  Id passFaceAround(
+    const NearVertex& near, Id entered, const Window& w, const Turn& turn, WindowFrame& frame)
+  {
+    const UnfoldedFace face = unfold(this->mesh, entered);
+    const bool isAtOrigin = this->mesh.origin(entered) == near.vertex;
+    this->reachApex(near, { entered, w }, frame, turn);
+    double passed = 1.0; // of the opposite edge
+    if (turn.most < turn.width)
+    {
+      const double before = face.length * unitVector(turn.most).y;
+      const double behind =
+        (isAtOrigin ? face.leftLength : face.rightLength) * unitVector(turn.width - turn.most).y;
+      // An overlap of a few roundings, not a gap.
+      passed = std::min(1.0, before / (before + behind) + tolerance::LeastWidth);
+    }
+    const Id left = TriangleMesh::previousInFace(entered);
+    const Id right = TriangleMesh::nextInFace(entered);
+    const LeavingWindow leaving = isAtOrigin
+      ? LeavingWindow{ right,
+          face.throughRight(w, (1.0 - passed) * face.rightLength, face.rightLength) }
+      : LeavingWindow{ left, face.throughLeft(w, 0.0, passed * face.leftLength) };
+    if (!this->mesh.isBoundary(leaving.halfedge))
+    {
+      this->addBySector(leaving, frame.turnedBy(isAtOrigin ? face.rightAxis : face.leftAxis));
+    }
+    frame = frame.turnedBy(isAtOrigin ? face.leftAxis : face.rightAxis);
+    return isAtOrigin ? left : right;
+  }
+
+  // In the shadow of the near vertex the way leads by the vertex, which tells so too late.
+  void reachApex(const NearVertex& near, const LeavingWindow& entering, const WindowFrame& frame,
+    const Turn& turn)
+  {
+    LeavingWindow to = entering;
+    if (turn.width <= turn.most)
+    {
+      this->setOrigin(to.window, frame,
+        apexOf(this->mesh, to.halfedge) - Vec2{ to.window.sourceX, -to.window.sourceDepth });
+    }
+    else if (turn.hasShadow)
+    {
+      const bool isAtOrigin = this->mesh.origin(to.halfedge) == near.vertex;
+      to.window.sourceX = isAtOrigin ? 0.0 : to.window.end;
+      to.window.sourceDepth = 0.0;
+      to.window.sigma = near.distance;
+      to.window.origin = near.vertex;
+    }
+    else
+    {
+      return; // rays reach it around the other side
+    }
+    this->result.toVertices.push_back(to);
+  }
+
   /// Sends the rays of a point close to a halfedge through the faces behind it in one step, between
   /// the rays through the ends of the edge, which hide what lies beside them. Rays continue in the
   /// same way while the point is close to the next edge: around a vertex near the point, along a
@@ -131,7 +246,7 @@ struct PointEmitter
     const UnfoldedFace face = unfold(this->mesh, halfedge);
     if (norm(face.apex - Vec2{ w.sourceX, -w.sourceDepth }) < tolerance::NearVertex * face.length)
     {
-      this->result.nearVertices.push_back(this->mesh.opposite(halfedge));
+      this->result.nearVertices.push_back({ this->mesh.opposite(halfedge) });
     }
     // In a face without area all rays run along its edges, so they do not determine a direction.
     Window seen = w;
@@ -209,14 +324,13 @@ struct PointEmitter
       Window& part = this->result.windows.emplace_back(leaving).window;
       part.begin = cuts[i];
       part.end = cuts[i + 1];
-      this->setOrigin(part, frame);
+      this->setOrigin(part, frame, part.direction(0.5 * (part.begin + part.end)));
     }
   }
 
-  // By the ray in the middle.
-  void setOrigin(Window& window, const WindowFrame& frame) const
+  // By one of its rays.
+  void setOrigin(Window& window, const WindowFrame& frame, Vec2 ray) const
   {
-    const Vec2 ray = window.direction(0.5 * (window.begin + window.end));
     const Vec2 direction = frame.toHalfedge(ray);
     const CurveOrigin at = this->from.sectors.of(frame.leftThrough, direction);
     const Id vertices = this->mesh.numberOfVertices();
@@ -238,11 +352,33 @@ void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source,
   const EmittingPoint& from, SourceWindows& result)
 {
   PointEmitter emitter{ mesh, source, from, result, {} };
+  std::array<bool, 3> isDone = {};
+  for (Id corner = 3 * source.face; corner < 3 * source.face + 3; ++corner)
+  {
+    const NearVertex near = nearVertexAt(mesh, corner, source.a);
+    if (near.hasFan() && near.distance > 0.0)
+    {
+      const Id other = TriangleMesh::previousInFace(corner);
+      const double turn = polarAngle(fromCorner(mesh, corner, source.a));
+      const bool isMirrored = from.directions.isMirrored(source.face);
+      if (!isOn(source.a, corner))
+      {
+        emitter.sendAround(
+          near, corner, turn, isMirrored ? Window::Kind::Circular : Window::Kind::CircularAround);
+      }
+      if (!isOn(source.a, other))
+      {
+        emitter.sendAround(near, other, mesh.cornerAngle(corner) - turn,
+          isMirrored ? Window::Kind::CircularAround : Window::Kind::Circular);
+      }
+      isDone[corner % 3] = isDone[other % 3] = true;
+    }
+  }
   for (std::size_t k = 0; k < 3; ++k)
   {
     const Id halfedge = 3 * source.face + static_cast<Id>(k);
-    const bool isOnIt = source.a[(k + 2) % 3] == 0.0;
-    if (!isOnIt && !mesh.isBoundary(halfedge) && mesh.length(halfedge) > 0.0)
+    if (!isOn(source.a, halfedge) && !isDone[k] && !mesh.isBoundary(halfedge) &&
+      mesh.length(halfedge) > 0.0)
     {
       emitter.addThrough(halfedge);
     }

@@ -29,6 +29,12 @@ struct EmittingPoint
 /// lies on that halfedge, as in a face without area, and has sectors there, the next faces contain
 /// it, too: they are added to the faces of the source, and nothing passes through the halfedge.
 ///
+/// If the point is near a vertex whose faces are far larger, rays through the edges at the vertex
+/// are laid out by their turn around it, which the place of the point beside the vertex determines
+/// to the last digits: each of them passes the vertex on the side of the shorter turn, of at most
+/// pi. The windows of these rays leave the fan of the vertex's faces; those at the edges inside it
+/// go no further.
+///
 /// \param source the point: both ends are equal.
 /// \param result also receives the vertices of these faces that are near the point
 ///        (tolerance::NearVertex).

@@ -209,7 +209,8 @@ private:
             tolerance::NearVertex * shape.longest());
       if (isNear)
       {
-        this->result_.nearVertices.push_back(this->mesh_.triangle(face)[k]);
+        this->result_.nearVertices.push_back(
+          nearVertexAt(this->mesh_, 3 * face + static_cast<Id>(k), b));
       }
     }
   }
@@ -232,6 +233,42 @@ Id globalOrigin(const MeshPartition& part, const ReplicatedPatch& patch, Id orig
   return CurveSide::isOne(origin, vertices)
     ? CurveSide::first(part.numberOfGlobalVertices()) + (origin - CurveSide::first(vertices))
     : patch.globalId(origin);
+}
+
+/// Windows with a halfedge of this rank's own face, with this rank's numbers.
+std::vector<LeavingWindow> windowsOfPart(const MeshPartition& part, const ReplicatedPatch& patch,
+  const std::vector<LeavingWindow>& windows)
+{
+  std::vector<LeavingWindow> result;
+  for (const LeavingWindow& leaving : windows)
+  {
+    const Id face = patch.faceOfPart(TriangleMesh::faceOf(leaving.halfedge));
+    if (face != NoId && part.isOwn(face))
+    {
+      result.push_back({ 3 * face + leaving.halfedge % 3, leaving.window });
+      result.back().window.origin = globalOrigin(part, patch, leaving.window.origin);
+    }
+  }
+  return result;
+}
+
+/// Where a rank does not have the halfedge's face, nor its halo, it has no face at the vertex.
+std::vector<NearVertex> nearVerticesOfPart(
+  const ReplicatedPatch& patch, const std::vector<NearVertex>& vertices)
+{
+  std::vector<NearVertex> result;
+  for (NearVertex near : vertices)
+  {
+    near.vertex = patch.vertexOfPart(near.vertex);
+    if (near.vertex == NoId)
+    {
+      continue;
+    }
+    const Id face = near.hasFan() ? patch.faceOfPart(TriangleMesh::faceOf(near.halfedge)) : NoId;
+    near.halfedge = face != NoId ? 3 * face + near.halfedge % 3 : NoId;
+    result.push_back(near);
+  }
+  return result;
 }
 
 std::vector<Id> verticesOfPart(const ReplicatedPatch& patch, const std::vector<Id>& vertices)
@@ -260,20 +297,8 @@ SourceWindows sourceWindowsOfPartition(
   const MeshPartition& part, const ReplicatedPatch& patch, const SourceWindows& onPatch)
 {
   SourceWindows result;
-  const auto ownFace = [&](Id face)
-  {
-    const Id own = patch.faceOfPart(face);
-    return own != NoId && part.isOwn(own) ? own : NoId;
-  };
-  for (const LeavingWindow& leaving : onPatch.windows)
-  {
-    const Id face = ownFace(TriangleMesh::faceOf(leaving.halfedge));
-    if (face != NoId)
-    {
-      result.windows.push_back({ 3 * face + leaving.halfedge % 3, leaving.window });
-      result.windows.back().window.origin = globalOrigin(part, patch, leaving.window.origin);
-    }
-  }
+  result.windows = windowsOfPart(part, patch, onPatch.windows);
+  result.toVertices = windowsOfPart(part, patch, onPatch.toVertices);
   for (const SourceInFace& source : onPatch.inFaces)
   {
     const Id face = patch.faceOfPart(source.face);
@@ -285,7 +310,7 @@ SourceWindows sourceWindowsOfPartition(
     }
   }
   result.vertices = verticesOfPart(patch, onPatch.vertices);
-  result.nearVertices = verticesOfPart(patch, onPatch.nearVertices);
+  result.nearVertices = nearVerticesOfPart(patch, onPatch.nearVertices);
   return result;
 }
 

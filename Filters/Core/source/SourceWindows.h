@@ -4,6 +4,7 @@
 
 #include "Job.h"
 #include "mesh/ReplicatedPatch.h"
+#include "source/NearVertex.h"
 #include "source/SourceCurve.h"
 #include "window/Interval.h"
 #include "window/Window.h"
@@ -25,6 +26,9 @@ struct LeavingWindow
 struct SourceWindows
 {
   std::vector<LeavingWindow> windows;
+  /// How the sources reach vertices around a near vertex: windows in the frame of the halfedge
+  /// opposite each of them.
+  std::vector<LeavingWindow> toVertices;
   /// In the order of the faces.
   std::vector<SourceInFace> inFaces;
   /// If ranks share the surface: the sources in the halo, in the same order. Their owners start
@@ -32,9 +36,9 @@ struct SourceWindows
   std::vector<SourceInFace> inHalo;
   /// Mesh vertices on a source, ascending, each once.
   std::vector<Id> vertices;
-  /// Vertices so near to a source's point that the point's windows cannot represent the directions
-  /// around them: they become pseudo-sources.
-  std::vector<Id> nearVertices;
+  /// Vertices near to a source's point. Around one that has a fan, the point's windows begin behind
+  /// the fan; every other one becomes a pseudo-source.
+  std::vector<NearVertex> nearVertices;
 };
 
 /// Joins the curves at their ends (CurveChains); windows and SourceInFace use the chains' numbers.

@@ -2,6 +2,7 @@
 #ifndef geodesic_Window_h
 #define geodesic_Window_h
 
+#include "Tolerance.h"
 #include "Trigonometry.h"
 #include "Types.h"
 #include "window/TwoDoubles.h"
@@ -11,7 +12,7 @@
 namespace geodesic
 {
 
-constexpr Id MaximumFacesCrossed = 0x7fffffffU;
+constexpr Id MaximumFacesCrossed = 0x3fffffffU;
 
 /// A side of a curve, as stored in Window::origin of linear windows. Four numbers per curve follow
 /// the numbers of the vertices. Left and right are as seen by a viewer towards whom the normal of
@@ -103,7 +104,10 @@ struct Window
     Circular,
     /// Rays are parallel to the unit vector (sourceX, sourceDepth); the distance at the halfedge's
     /// origin is sigma.
-    Linear
+    Linear,
+    /// Circular, after a turn around a vertex near the source in the other direction than Circular
+    /// ones. Around a cone both kinds unfold to the same source, but are no one pencil.
+    CircularAround
   };
 
   double begin;
@@ -114,10 +118,10 @@ struct Window
   /// The path behind this window is longer than the window's distance by at most this; 0 in the
   /// exact field.
   double error;
-  Kind kind : 1;
+  Kind kind : 2;
   /// Number of faces crossed since the source. A shortest path crosses no face twice, so this
   /// number is bounded, and propagation ends.
-  Id facesCrossed : 31;
+  Id facesCrossed : 30;
   /// Where its rays start: a vertex as a pseudo-source, a side of a curve (CurveSide), or one of a
   /// curve's points (PointSide). Distances do not depend on it.
   Id origin = NoId;
@@ -185,7 +189,8 @@ struct Window
   /// halfedge, rounding of the crossing would turn the ray.
   Vec2 directionTo(Vec2 p, double crossing) const
   {
-    const bool isStraight = crossing > this->begin && crossing < this->end;
+    const double outside = this->unclampedCrossing(p) - crossing;
+    const bool isStraight = std::abs(outside) <= tolerance::Rounding * this->end;
     return !this->isLinear() && isStraight ? p - Vec2{ this->sourceX, -this->sourceDepth }
                                            : this->direction(crossing);
   }
@@ -207,6 +212,10 @@ struct Window
   /// Where the ray to p crosses the halfedge, clamped to the interval.
   double crossing(Vec2 p) const
   {
+    return std::clamp(this->unclampedCrossing(p), this->begin, this->end);
+  }
+  double unclampedCrossing(Vec2 p) const
+  {
     double x = p.x;
     if (this->isLinear())
     {
@@ -216,7 +225,7 @@ struct Window
     {
       x = this->sourceX + (p.x - this->sourceX) * this->sourceDepth / (this->sourceDepth + p.y);
     }
-    return std::clamp(x, this->begin, this->end);
+    return x;
   }
 
   /// Length of the shortest path to p through the interval: straight if the pencil contains p, else

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sources that are points beside an edge, as from a click on it: the angles of paths in the plane,
+// Sources that are points beside an edge or a vertex, as from a click on it: the angles of paths,
 // which source is the nearest, and its place.
 #include "EngineSupport.h"
 #include "Seeds.h"
+#include "truth/AnalyticDistances.h"
 
 #include "Tolerance.h"
 #include "field/NearestSource.h"
@@ -128,7 +129,7 @@ struct Worst
 
   void print(double fraction) const
   {
-    std::cout << "beside an edge " << fraction << ": " << this->count << " paths, worst angle "
+    std::cout << "beside it " << fraction << ": " << this->count << " paths, worst angle "
               << this->straight << "; " << this->countBent << " bent ones, worst angle "
               << this->bent << "\n";
   }
@@ -146,6 +147,8 @@ public:
     for (const MeshPoint& source : sources)
     {
       this->sources_.push_back(position(plain, source));
+      this->isAtVertex_.push_back(*std::max_element(source.weights.begin(), source.weights.end()) >
+        1.0 - 2.0 * tolerance::Rounding);
     }
     for (const Vec3& point : plain.points)
     {
@@ -175,8 +178,11 @@ public:
       this->compareFoot(compared[i]);
       const Id nearest = this->nearestTo(compared[i]);
       EXPECT_EQ(ends[i].source, nearest);
-      this->compareAngle(
-        ends[i].angle, AccuracyOfEnds, nearest, this->straightTo(compared[i], nearest));
+      if (!this->isAtVertex_[nearest])
+      {
+        this->compareAngle(
+          ends[i].angle, AccuracyOfEnds, nearest, this->straightTo(compared[i], nearest));
+      }
     }
   }
 
@@ -257,6 +263,8 @@ private:
   const PlainMesh& plain_;
   Solved solved_;
   std::vector<Vec3> sources_;
+  /// Up to the rounding of its place, so that paths may end at the vertex.
+  std::vector<bool> isAtVertex_;
   double size_ = 0.0;
   double largest_ = 0.0;
   Worst& worst_;
@@ -289,10 +297,23 @@ std::vector<MeshPoint> verticesAndOthers(const PlainMesh& mesh, std::size_t othe
   return points;
 }
 
+/// A point at this fraction of a face from one of its corners, sometimes on an edge.
+MeshPoint besideVertex(const PlainMesh& mesh, double fraction, Random& random)
+{
+  MeshPoint p = { random.below(mesh.triangles.size()), {} };
+  const Index k = random.below(3);
+  const double along = random.chance(0.2) ? 0.0 : random.uniform(0.0, 1.0);
+  p.weights[(k + 1) % 3] = along * fraction;
+  p.weights[(k + 2) % 3] = (1.0 - along) * fraction;
+  p.weights[k] = 1.0 - p.weights[(k + 1) % 3] - p.weights[(k + 2) % 3];
+  return p;
+}
+
+using MakeSource = MeshPoint (*)(const PlainMesh&, double, Random&);
 using MakeMesh = PlainMesh (*)(Random&);
 
 /// Points beside inner edges and beside the boundary.
-void compareOnRandom(MakeMesh make, std::uint64_t meshes)
+void compareOnRandom(MakeMesh make, std::uint64_t meshes, MakeSource source = besideEdge)
 {
   const Seeds seeds = seedsOfTest(meshes);
   for (const double fraction : Fractions)
@@ -304,10 +325,10 @@ void compareOnRandom(MakeMesh make, std::uint64_t meshes)
       Random random(seed);
       PlainMesh plain = moved(make(random), random);
       plain = random.chance(0.5) ? withFlippedFaces(plain, random) : plain;
-      std::vector<MeshPoint> sources = { besideEdge(plain, fraction, random) };
+      std::vector<MeshPoint> sources = { source(plain, fraction, random) };
       if (random.chance(0.5))
       {
-        sources.push_back(besideEdge(plain, fraction, random));
+        sources.push_back(source(plain, fraction, random));
       }
       InThePlane plane(plain, sources, worst);
       plane.compare(verticesAndOthers(plain, 40, random));
@@ -315,6 +336,122 @@ void compareOnRandom(MakeMesh make, std::uint64_t meshes)
     worst.print(fraction);
   }
 }
+
+/// Compares answers on a cone or a saddle with its development, around a source beside the apex.
+class OnAFan
+{
+public:
+  OnAFan(Index sectors, double angle, Index rings, double fraction, Random& random, Worst& worst)
+    : sectors_(sectors)
+    , angle_(angle)
+    , rings_(rings)
+    , plain_(fan(sectors, angle, rings))
+    , source_(this->besideApex(fraction, random))
+    , solved_(plain_, { source_ })
+    , worst_(worst)
+  {
+    const SurfacePoint stored =
+      geodesic::normalized(this->solved_.mesh, this->solved_.curves[0].points[0]);
+    if (stored.kind == SurfacePoint::Kind::Face)
+    {
+      // rounded: of the three weights two are stored
+      const geodesic::Barycentric weights =
+        geodesic::barycentric(this->solved_.mesh, stored, stored.id);
+      std::copy(weights.begin(), weights.end(), this->source_.weights.begin());
+      this->compare(verticesAndOthers(this->plain_, 100, random));
+    }
+  }
+
+private:
+  MeshPoint besideApex(double fraction, Random& random) const
+  {
+    for (;;)
+    {
+      const MeshPoint p = besideVertex(this->plain_, fraction, random);
+      if (this->plain_.triangles[p.face][largestWeight(p)] == 0 && !isOnEdge(p))
+      {
+        return p;
+      }
+    }
+  }
+  static bool isOnEdge(const MeshPoint& p)
+  {
+    return std::count(p.weights.begin(), p.weights.end(), 0.0) > 0;
+  }
+  static std::size_t largestWeight(const MeshPoint& p)
+  {
+    return static_cast<std::size_t>(
+      std::max_element(p.weights.begin(), p.weights.end()) - p.weights.begin());
+  }
+
+  Polar polar(const MeshPoint& p) const
+  {
+    return fanCoordinates(this->sectors_, this->angle_, this->rings_, this->plain_, p);
+  }
+  /// From the source's angle around the apex, by the shorter way.
+  double turnTo(const Polar& p) const
+  {
+    return std::remainder(
+      p.angle - this->polar(this->source_).angle, this->sectors_ * this->angle_);
+  }
+  Vec2 developed(double radius, double turn) const
+  {
+    return { radius * std::cos(turn), radius * std::sin(turn) };
+  }
+  /// The angle of a direction at the source, from the first edge of its face.
+  double fromFirstEdge(Vec2 direction) const
+  {
+    Vec2 ends[2];
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      MeshPoint corner = { this->source_.face, {} };
+      corner.weights[k] = 1.0;
+      const Polar p = this->polar(corner);
+      ends[k] = this->developed(p.radius, this->turnTo(p));
+    }
+    const Vec2 edge = { ends[1][0] - ends[0][0], ends[1][1] - ends[0][1] };
+    return std::atan2(edge[0] * direction[1] - edge[1] * direction[0],
+      edge[0] * direction[0] + edge[1] * direction[1]);
+  }
+
+  void compare(const std::vector<MeshPoint>& queries)
+  {
+    const double total = this->sectors_ * this->angle_;
+    const double distance = this->polar(this->source_).radius;
+    for (const MeshPoint& query : queries)
+    {
+      const Polar q = this->polar(query);
+      const double turn = this->turnTo(q);
+      const bool isStraight = std::abs(turn) < Pi;
+      // In the faces around the apex rounding decides where exactly its shadow begins.
+      const double border =
+        q.radius <= 1.0 / this->rings_ ? 64.0 * tolerance::Rounding / distance : 0.0;
+      if (q.radius < ShortPath || std::abs(0.5 * total - std::abs(turn)) < 1e-9 + border ||
+        std::abs(Pi - std::abs(turn)) < border)
+      {
+        continue;
+      }
+      const Vec2 place = this->developed(isStraight ? q.radius : 0.0, turn);
+      const double expected = this->fromFirstEdge({ place[0] - distance, place[1] });
+      const Foot foot = this->solved_.footOf(query);
+      EXPECT_EQ(foot.curve, 0U);
+      const double error = gapOfAngles(this->solved_.nearest.angleOf(foot), expected);
+      // Vertices lie on one line with the apex: paths may pass them on either side.
+      EXPECT_LE(error, Accuracy + 4.0 * distance)
+        << "turn " << turn << " of " << total << ", radius " << q.radius;
+      ++this->worst_.count;
+      this->worst_.straight = std::max(this->worst_.straight, error);
+    }
+  }
+
+  Index sectors_;
+  double angle_;
+  Index rings_;
+  PlainMesh plain_;
+  MeshPoint source_;
+  Solved solved_;
+  Worst& worst_;
+};
 
 } // anonymous namespace
 
@@ -357,4 +494,29 @@ TEST(SourceAnglesBesideEdges, OnFlatFansAreThoseOfTheStraightLine)
       return fan(sectors, 2.0 * Pi / sectors, random.between(1, 4));
     },
     meshesOfAKind(10));
+}
+
+TEST(SourceAnglesBesideVertices, OnPlanarMeshesAreThoseOfTheStraightLine)
+{
+  compareOnRandom([](Random& random)
+    { return randomPlanar(random.between(2, 8), random.between(2, 8), random); },
+    meshesOfAKind(10), besideVertex);
+}
+
+TEST(SourceAnglesBesideVertices, OnConesAndSaddlesAreThoseOfTheDevelopment)
+{
+  const Seeds seeds = seedsOfTest(meshesOfAKind(10));
+  for (const double fraction : Fractions)
+  {
+    Worst worst;
+    for (std::uint64_t seed = seeds.first; seed < seeds.end() && 1.0 - fraction < 1.0; ++seed)
+    {
+      Random random(seed);
+      const Index sectors = 2 * random.between(2, 5);
+      const double total = random.uniform(0.3, 1.5) * 2.0 * Pi;
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", 10^" + std::to_string(std::log10(fraction)));
+      OnAFan(sectors, total / sectors, random.between(1, 4), fraction, random, worst);
+    }
+    worst.print(fraction);
+  }
 }
