@@ -105,8 +105,8 @@ struct Window
     /// Rays are parallel to the unit vector (sourceX, sourceDepth); the distance at the halfedge's
     /// origin is sigma.
     Linear,
-    /// Circular, after a turn around a vertex near the source in the other direction than Circular
-    /// ones. Around a cone both kinds unfold to the same source, but are no one pencil.
+    /// Circular, too, after a turn around a vertex near the source in the other direction than
+    /// Circular ones. Around a cone both kinds unfold to the same source, but are no one pencil.
     CircularAround
   };
 
@@ -130,7 +130,7 @@ struct Window
   /// around the point (DirectionsAround::around()), if the front keeps angles; else unused.
   double place = 0.0;
 
-  bool isLinear() const { return this->kind == Kind::Linear; }
+  bool isLinear() const { return (this->kind & Kind::Linear) != 0; } // one bit: asked very often
   double width() const { return this->end - this->begin; }
   TwoDoubles ends() const { return { this->begin, this->end }; }
 
