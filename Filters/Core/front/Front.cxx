@@ -143,9 +143,9 @@ private:
         state.pseudoSource = TriangleMesh::PseudoSource::Irregular;
         continue;
       }
+      this->shorten({ near.vertex, near.distance, 0.0, {} });
       state.arrivalHalfedge = near.halfedge;
       state.arrivalX = near.x;
-      this->shorten({ near.vertex, near.distance, 0.0, {} });
     }
   }
 
@@ -155,11 +155,9 @@ private:
     const Window& w = to.window;
     const Vec2 apex = apexOf(this->mesh_, to.halfedge);
     const bool isStraight = w.sourceDepth > 0.0;
-    const DistanceUpdate found = { this->mesh_.opposite(to.halfedge), w.straightDistance(apex), 0.0,
+    this->shorten({ this->mesh_.opposite(to.halfedge), w.straightDistance(apex), 0.0,
       { to.halfedge, w.origin, isStraight ? w.crossing(apex) : w.sourceX,
-        isStraight ? apex - Vec2{ w.sourceX, -w.sourceDepth } : Vec2{}, w.place } };
-    this->shorten(found);
-    this->ranks_.addUpdate(found);
+        isStraight ? apex - Vec2{ w.sourceX, -w.sourceDepth } : Vec2{}, w.place } });
   }
 
   void startFaces(const SourceWindows& initial)

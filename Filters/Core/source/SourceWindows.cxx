@@ -235,17 +235,21 @@ Id globalOrigin(const MeshPartition& part, const ReplicatedPatch& patch, Id orig
     : patch.globalId(origin);
 }
 
-/// Windows with a halfedge of this rank's own face, with this rank's numbers.
+/// Those windows whose halfedges a rank needs, with its numbers.
+///
+/// \param isNeeded (Id halfedge) -> bool, with the rank's number.
+template <typename IsNeeded>
 std::vector<LeavingWindow> windowsOfPart(const MeshPartition& part, const ReplicatedPatch& patch,
-  const std::vector<LeavingWindow>& windows)
+  const std::vector<LeavingWindow>& windows, const IsNeeded& isNeeded)
 {
   std::vector<LeavingWindow> result;
   for (const LeavingWindow& leaving : windows)
   {
     const Id face = patch.faceOfPart(TriangleMesh::faceOf(leaving.halfedge));
-    if (face != NoId && part.isOwn(face))
+    const Id halfedge = face != NoId ? 3 * face + leaving.halfedge % 3 : NoId;
+    if (halfedge != NoId && isNeeded(halfedge))
     {
-      result.push_back({ 3 * face + leaving.halfedge % 3, leaving.window });
+      result.push_back({ halfedge, leaving.window });
       result.back().window.origin = globalOrigin(part, patch, leaving.window.origin);
     }
   }
@@ -297,8 +301,11 @@ SourceWindows sourceWindowsOfPartition(
   const MeshPartition& part, const ReplicatedPatch& patch, const SourceWindows& onPatch)
 {
   SourceWindows result;
-  result.windows = windowsOfPart(part, patch, onPatch.windows);
-  result.toVertices = windowsOfPart(part, patch, onPatch.toVertices);
+  result.windows = windowsOfPart(part, patch, onPatch.windows,
+    [&](Id halfedge) { return part.isOwn(TriangleMesh::faceOf(halfedge)); });
+  // Each rank learns all ways to a vertex itself, so that all choose among them alike.
+  result.toVertices = windowsOfPart(part, patch, onPatch.toVertices,
+    [&](Id halfedge) { return part.mesh().opposite(halfedge) < part.numberOfOwnVertices(); });
   for (const SourceInFace& source : onPatch.inFaces)
   {
     const Id face = patch.faceOfPart(source.face);

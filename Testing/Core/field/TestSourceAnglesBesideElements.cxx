@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sources that are points beside an edge or a vertex, as from a click on it: the angles of paths,
 // which source is the nearest, and its place.
-#include "EngineSupport.h"
+#include "RanksSupport.h"
 #include "Seeds.h"
 #include "truth/AnalyticDistances.h"
 
@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <mutex>
+#include <optional>
 
 using namespace geodesictest;
 using geodesic::Foot;
@@ -352,14 +354,20 @@ public:
   {
     const SurfacePoint stored =
       geodesic::normalized(this->solved_.mesh, this->solved_.curves[0].points[0]);
-    if (stored.kind == SurfacePoint::Kind::Face)
+    if (stored.kind != SurfacePoint::Kind::Face)
     {
-      // rounded: of the three weights two are stored
-      const geodesic::Barycentric weights =
-        geodesic::barycentric(this->solved_.mesh, stored, stored.id);
-      std::copy(weights.begin(), weights.end(), this->source_.weights.begin());
-      this->compare(verticesAndOthers(this->plain_, 100, random));
+      return; // it is at the apex, or on an edge, by rounding
     }
+    // Of its three weights two are stored.
+    const geodesic::Barycentric weights =
+      geodesic::barycentric(this->solved_.mesh, stored, stored.id);
+    std::copy(weights.begin(), weights.end(), this->source_.weights.begin());
+    for (const MeshPoint& query : verticesAndOthers(this->plain_, 100, random))
+    {
+      this->compare(this->solved_.footOf(query), this->solved_.nearest, query);
+    }
+    forEachCut(this->plain_, { { 2, true }, { 5, false } }, random,
+      [this](const CutMesh& cut) { this->compareOnRanks(cut); });
   }
 
 private:
@@ -414,34 +422,55 @@ private:
       edge[0] * direction[0] + edge[1] * direction[1]);
   }
 
-  void compare(const std::vector<MeshPoint>& queries)
+  /// No value near the source, and where rounding decides: at the border between two ways, and in
+  /// the faces around the apex where exactly its shadow begins.
+  std::optional<double> expectedAt(const MeshPoint& query) const
   {
     const double total = this->sectors_ * this->angle_;
     const double distance = this->polar(this->source_).radius;
-    for (const MeshPoint& query : queries)
+    const Polar q = this->polar(query);
+    const double turn = this->turnTo(q);
+    const double border =
+      1e-9 + (q.radius <= 1.0 / this->rings_ ? 64.0 * tolerance::Rounding / distance : 0.0);
+    if (q.radius < ShortPath || std::abs(0.5 * total - std::abs(turn)) < border ||
+      std::abs(Pi - std::abs(turn)) < border)
     {
-      const Polar q = this->polar(query);
-      const double turn = this->turnTo(q);
-      const bool isStraight = std::abs(turn) < Pi;
-      // In the faces around the apex rounding decides where exactly its shadow begins.
-      const double border =
-        q.radius <= 1.0 / this->rings_ ? 64.0 * tolerance::Rounding / distance : 0.0;
-      if (q.radius < ShortPath || std::abs(0.5 * total - std::abs(turn)) < 1e-9 + border ||
-        std::abs(Pi - std::abs(turn)) < border)
-      {
-        continue;
-      }
-      const Vec2 place = this->developed(isStraight ? q.radius : 0.0, turn);
-      const double expected = this->fromFirstEdge({ place[0] - distance, place[1] });
-      const Foot foot = this->solved_.footOf(query);
+      return std::nullopt;
+    }
+    const Vec2 place = this->developed(std::abs(turn) < Pi ? q.radius : 0.0, turn);
+    return this->fromFirstEdge({ place[0] - distance, place[1] });
+  }
+
+  void compare(const Foot& foot, const NearestSource& nearest, const MeshPoint& query)
+  {
+    if (const std::optional<double> expected = this->expectedAt(query))
+    {
       EXPECT_EQ(foot.curve, 0U);
-      const double error = gapOfAngles(this->solved_.nearest.angleOf(foot), expected);
+      const double error = gapOfAngles(nearest.angleOf(foot), *expected);
       // Vertices lie on one line with the apex: paths may pass them on either side.
-      EXPECT_LE(error, Accuracy + 4.0 * distance)
-        << "turn " << turn << " of " << total << ", radius " << q.radius;
+      EXPECT_LE(error, Accuracy + 4.0 * this->polar(this->source_).radius)
+        << "turn " << this->turnTo(this->polar(query)) << " of " << this->sectors_ * this->angle_ << ", radius " << this->polar(query).radius << ", rings " << this->rings_ << ", sectors " << sectors_;
       ++this->worst_.count;
       this->worst_.straight = std::max(this->worst_.straight, error);
     }
+  }
+
+  void compareOnRanks(const CutMesh& cut)
+  {
+    std::mutex mutex;
+    onRanks(cut, polylinesAt({ this->source_ }), 0,
+      [&](const RankOfRun& rank)
+      {
+        const geodesic::DistanceField field = geodesic::solve(
+          rank.part, rank.sources, Solved::withAngles(), geodesic::KeepWindows::None);
+        const NearestSource nearest(field, rank.patch, rank.curvesOnPatch);
+        const std::lock_guard<std::mutex> lock(mutex);
+        for (Id vertex = 0; vertex < rank.wholeVertices.size(); ++vertex)
+        {
+          this->compare(nearest.atVertex(vertex), nearest,
+            vertexPoint(this->plain_, rank.wholeVertices[vertex]));
+        }
+      });
   }
 
   Index sectors_;
