@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "front/SaddleWedge.h"
 
+#include "Tolerance.h"
+#include "mesh/HalfedgeFrame.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace geodesic
 {
@@ -148,6 +152,19 @@ bool addShadow(const TriangleMesh& mesh, Id vertex, const Continuation& from,
 }
 
 } // anonymous namespace
+
+bool isBent(const TriangleMesh& mesh, const Arrival& arrival)
+{
+  if (!arrival.isThroughWindow())
+  {
+    return false;
+  }
+  const Vec2 segment = apexOf(mesh, arrival.halfedge) - Vec2{ arrival.x, 0.0 };
+  const double rounding =
+    tolerance::PlaceRounding * mesh.shape(TriangleMesh::faceOf(arrival.halfedge)).longest();
+  return std::abs(cross(arrival.direction, segment)) >
+    rounding * (norm(arrival.direction) + norm(segment));
+}
 
 bool findSaddleWedge(
   const TriangleMesh& mesh, Id vertex, const Arrival& arrival, std::vector<EmittedInterval>& shadow)

@@ -35,6 +35,10 @@ struct Arrival
   }
 };
 
+/// Whether the segment of an arrival through a window does not run along the window's ray: the path
+/// bends at the end of the window.
+bool isBent(const TriangleMesh& mesh, const Arrival& arrival);
+
 /// A part of the halfedge opposite a corner.
 struct EmittedInterval
 {

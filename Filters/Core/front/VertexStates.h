@@ -107,11 +107,11 @@ public:
   double error(Id vertex) const { return this->errors_.empty() ? 0.0 : this->errors_[vertex]; }
 
   /// Whether a path improves a vertex: it is shorter, or it has the same length and an arrival,
-  /// which is to be stored and still missing.
+  /// which is to be stored and may be better than the known one.
   bool isImprovedBy(Id vertex, double distance, bool hasArrival = true) const
   {
     return distance < this->distance(vertex) ||
-      (hasArrival && this->isArrivalMissing(vertex, distance));
+      (hasArrival && this->isArrivalWanted(vertex, distance));
   }
 
   /// Accepts a path if it is shorter than the known one. \returns whether it was.
@@ -124,7 +124,7 @@ public:
     const bool isTie = distance >= state.distance * (1.0 - tolerance::Tie) ||
       (isShorter && this->isBoundOnly(update));
     if (!this->arrivals_.empty() &&
-      ((isShorter && !isTie) || this->isArrivalMissing(update.vertex, distance)))
+      ((isShorter && !isTie) || this->isBetterArrival(update, distance)))
     {
       this->arrivals_[update.vertex] = update.from;
     }
@@ -180,11 +180,24 @@ private:
     }
   }
 
-  bool isArrivalMissing(Id vertex, double distance) const
+  // At the end of a curve beside an edge the curve's parallel rays come first to a vertex behind the
+  // edge, and bend. The straight path from the end is shorter, but for rounding.
+  bool isArrivalWanted(Id vertex, double distance) const
   {
-    return !this->arrivals_.empty() && !this->arrivals_[vertex].isKnown() &&
-      (distance <= this->distance(vertex) * (1.0 + tolerance::Tie) ||
-        distance <= this->distance(vertex) + this->tieAround(vertex));
+    if (this->arrivals_.empty())
+    {
+      return false;
+    }
+    const Arrival& known = this->arrivals_[vertex];
+    return distance <= this->distance(vertex) * (1.0 + tolerance::Tie)
+      ? !known.isKnown() || isBent(this->mesh_, known)
+      : !known.isKnown() && distance <= this->distance(vertex) + this->tieAround(vertex);
+  }
+  bool isBetterArrival(const DistanceUpdate& update, double distance) const
+  {
+    return this->isArrivalWanted(update.vertex, distance) &&
+      (!this->arrivals_[update.vertex].isKnown() ||
+        (update.from.isKnown() && !isBent(this->mesh_, update.from)));
   }
   /// A bound along an edge does not determine the arrival: one that is a rounding longer stays.
   bool isBoundOnly(const DistanceUpdate& update) const

@@ -125,6 +125,16 @@ Vec2 directionFromEnd(const TriangleMesh& mesh, const std::vector<SurfacePoint>&
   return last + turned(mesh, onward, frame);
 }
 
+double lengthOf(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path)
+{
+  double length = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+  {
+    length += distanceInSpace(mesh, path[i - 1], path[i]);
+  }
+  return length;
+}
+
 } // anonymous namespace
 
 PathEnds::PathEnds(const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves)
@@ -134,7 +144,8 @@ PathEnds::PathEnds(const ReplicatedPatch& patch, const std::vector<SourceCurve>&
 {
 }
 
-// The end of a traced path is rounded: near the end of a segment it is the curve's point.
+// The end of a traced path is rounded, the more the longer the path is: near the end of a segment
+// it is the curve's point.
 PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path,
   const std::function<RankAddress(Id)>& addressOf) const
 {
@@ -156,11 +167,12 @@ PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& 
   const double length = segment->placeOfB - segment->placeOfA;
   const double along = length *
     nearestAlongSource(this->mesh(), *segment, barycentric(this->mesh(), piece.end, segment->face));
-  if (along > rounding && along < length - rounding)
+  const double beside = rounding + tolerance::TracedLength * lengthOf(mesh, path);
+  if (along > beside && along < length - beside)
   {
     return this->onSegment(piece, *segment, segment->placeOfA + along);
   }
-  const double place = along > rounding ? segment->placeOfB : segment->placeOfA;
+  const double place = along > beside ? segment->placeOfB : segment->placeOfA;
   return this->atPoint(piece, this->onPatch_.chains().pointAt(segment->curve, place));
 }
 

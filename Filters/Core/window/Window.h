@@ -190,7 +190,8 @@ struct Window
   Vec2 directionTo(Vec2 p, double crossing) const
   {
     const double outside = this->unclampedCrossing(p) - crossing;
-    const bool isStraight = std::abs(outside) <= tolerance::Rounding * this->end;
+    const bool isStraight =
+      std::abs(outside) <= tolerance::PlaceRounding * (std::abs(p.x) + p.y + this->end);
     return !this->isLinear() && isStraight ? p - Vec2{ this->sourceX, -this->sourceDepth }
                                            : this->direction(crossing);
   }

@@ -137,6 +137,41 @@ struct Worst
   }
 };
 
+double sizeOf(const PlainMesh& mesh)
+{
+  double size = 0.0;
+  for (const Vec3& point : mesh.points)
+  {
+    size = std::max(size, geodesic::norm(minus(point, mesh.points[0])));
+  }
+  return size;
+}
+
+/// The least error of an angle, as that of a path which bends at a vertex and is as long as the
+/// straight one up to two ties: one on the way, one where ways through the last face are compared.
+/// With the path's length d and the distance a to the vertex an angle u lengthens the path by
+/// u^2 a d / (2 (d - a)).
+double leastErrorOfBent(const PlainMesh& mesh, const Vec3& source, const Vec3& straight,
+  const geodesic::SourceFrame& frame, double angle)
+{
+  double least = Pi;
+  const double d = geodesic::norm(straight);
+  const double longer = 2.0 * tolerance::Tie * (d + sizeOf(mesh));
+  for (const Vec3& vertex : mesh.points)
+  {
+    const Vec3 way = minus(vertex, source);
+    const double toVertex = angleIn(frame, way);
+    const double a = geodesic::norm(way);
+    if (a < d &&
+      gapOfAngles(toVertex, angleIn(frame, straight)) <=
+        std::sqrt(2.0 * longer * (d - a) / (a * d)))
+    {
+      least = std::min(least, gapOfAngles(angle, toVertex));
+    }
+  }
+  return least;
+}
+
 /// Compares answers in the plane with straight lines.
 class InThePlane
 {
@@ -154,7 +189,6 @@ public:
     }
     for (const Vec3& point : plain.points)
     {
-      this->size_ = std::max(this->size_, geodesic::norm(minus(point, plain.points[0])));
       this->largest_ = std::max(this->largest_, geodesic::largestCoordinate(point));
     }
   }
@@ -234,32 +268,11 @@ private:
       this->worst_.straight = std::max(this->worst_.straight, error);
       return;
     }
-    double least = error;
-    for (const Vec3& vertex : this->plain_.points)
-    {
-      const Vec3 way = minus(vertex, this->sources_[nearest]);
-      const double toVertex = angleIn(frame, way);
-      if (geodesic::norm(way) < geodesic::norm(straight) &&
-        gapOfAngles(toVertex, angleIn(frame, straight)) <= this->bendAt(way, straight))
-      {
-        least = std::min(least, gapOfAngles(angle, toVertex));
-      }
-    }
+    const double least = std::min(
+      error, leastErrorOfBent(this->plain_, this->sources_[nearest], straight, frame, angle));
     EXPECT_LE(least, accuracy) << "off by " << error;
     ++this->worst_.countBent;
     this->worst_.bent = std::max(this->worst_.bent, error);
-  }
-
-  // The largest angle between the straight path and the way to a vertex such that the path by the
-  // vertex is longer by no more than two ties: one on the way, one where ways through the last face
-  // are compared. With the path's length d and the distance a to the vertex an angle u lengthens
-  // the path by u^2 a d / (2 (d - a)).
-  double bendAt(const Vec3& vertex, const Vec3& straight) const
-  {
-    const double d = geodesic::norm(straight);
-    const double a = geodesic::norm(vertex);
-    const double longer = 2.0 * tolerance::Tie * (d + this->size_);
-    return std::sqrt(2.0 * longer * (d - a) / (a * d));
   }
 
   const PlainMesh& plain_;
@@ -267,7 +280,6 @@ private:
   std::vector<Vec3> sources_;
   /// Up to the rounding of its place, so that paths may end at the vertex.
   std::vector<bool> isAtVertex_;
-  double size_ = 0.0;
   double largest_ = 0.0;
   Worst& worst_;
 };
@@ -338,6 +350,73 @@ void compareOnRandom(MakeMesh make, std::uint64_t meshes, MakeSource source = be
     worst.print(fraction);
   }
 }
+
+/// Compares angles in the plane with those of a segment that ends beside an edge or a vertex.
+class SegmentInThePlane
+{
+public:
+  SegmentInThePlane(const PlainMesh& plain, const MeshPoint& end, const MeshPoint& other,
+    bool endsThere, Worst& worst)
+    : plain_(plain)
+    , a_(position(plain, endsThere ? other : end))
+    , b_(position(plain, endsThere ? end : other))
+    , mesh_(engineMesh(plain))
+    , curves_(engineCurves(mesh_,
+        { { { { end.face, endsThere ? other.weights : end.weights,
+              endsThere ? end.weights : other.weights } },
+          {} } }))
+    , field_(geodesic::solve(mesh_, curves_, Solved::withAngles(), geodesic::KeepWindows::All))
+    , nearest_(field_, geodesic::ReplicatedPatch(mesh_), curves_)
+    , worst_(worst)
+  {
+  }
+
+  void compare(const MeshPoint& query)
+  {
+    const Vec3 along = minus(this->b_, this->a_);
+    const Vec3 toQuery = minus(position(this->plain_, query), this->a_);
+    const double t =
+      std::clamp(geodesic::dot(toQuery, along) / geodesic::dot(along, along), 0.0, 1.0);
+    const Vec3 straight = minus(toQuery, geodesic::operator*(t, along));
+    if (geodesic::norm(straight) < ShortPath)
+    {
+      return;
+    }
+    const SurfacePoint p = geodesic::normalized(this->mesh_, enginePoint(this->mesh_, query));
+    const Foot foot = p.kind == SurfacePoint::Kind::Vertex
+      ? this->nearest_.atVertex(p.id)
+      : this->nearest_.of(geodesic::incomingSegmentTo(this->field_, p));
+    const double length = geodesic::norm(along);
+    EXPECT_NEAR(this->nearest_.arcLengthOf(foot), t * length, 1e-6 * length);
+    const geodesic::SourceFrame frame = this->nearest_.frameOf(0);
+    const double angle = this->nearest_.angleOf(foot);
+    const Vec3 from = minus(position(this->plain_, query), straight);
+    const double error = std::min(gapOfAngles(angle, angleIn(frame, straight)),
+      leastErrorOfBent(this->plain_, from, straight, frame, angle));
+    EXPECT_LE(error, 1e-6) << "at " << t << ", " << geodesic::norm(straight) << " away";
+    EXPECT_TRUE(t == 0.0 || t == 1.0 || foot.isRight == (angleIn(frame, straight) < 0.0))
+      << "at " << t;
+    geodesic::PathEnd end;
+    geodesic::pathsToSource(geodesic::MeshPartition(this->mesh_),
+      geodesic::ReplicatedPatch(this->mesh_), this->curves_, { p }, {},
+      [&](std::size_t, const geodesic::PathToSource& path) { end = path.end; });
+    const double errorOfEnd = std::min(gapOfAngles(end.angle, angleIn(frame, straight)),
+      leastErrorOfBent(this->plain_, from, straight, frame, end.angle));
+    EXPECT_LE(errorOfEnd, 1e-6) << "its path, at " << t;
+    ++this->worst_.count;
+    this->worst_.straight = std::max(this->worst_.straight, error);
+  }
+
+private:
+  const PlainMesh& plain_;
+  Vec3 a_;
+  Vec3 b_;
+  geodesic::TriangleMesh mesh_;
+  std::vector<geodesic::SourceCurve> curves_;
+  geodesic::DistanceField field_;
+  NearestSource nearest_;
+  Worst& worst_;
+};
 
 /// Compares answers on a cone or a saddle with its development, around a source beside the apex.
 class OnAFan
@@ -449,7 +528,7 @@ private:
       const double error = gapOfAngles(nearest.angleOf(foot), *expected);
       // Vertices lie on one line with the apex: paths may pass them on either side.
       EXPECT_LE(error, Accuracy + 4.0 * this->polar(this->source_).radius)
-        << "turn " << this->turnTo(this->polar(query)) << " of " << this->sectors_ * this->angle_ << ", radius " << this->polar(query).radius << ", rings " << this->rings_ << ", sectors " << sectors_;
+        << "turn " << this->turnTo(this->polar(query)) << " of " << this->sectors_ * this->angle_;
       ++this->worst_.count;
       this->worst_.straight = std::max(this->worst_.straight, error);
     }
@@ -530,6 +609,39 @@ TEST(SourceAnglesBesideVertices, OnPlanarMeshesAreThoseOfTheStraightLine)
   compareOnRandom([](Random& random)
     { return randomPlanar(random.between(2, 8), random.between(2, 8), random); },
     meshesOfAKind(10), besideVertex);
+}
+
+TEST(SourceAnglesBesideElements, OfCurvesThatEndThereAreThoseInThePlane)
+{
+  const Seeds seeds = seedsOfTest(meshesOfAKind(10));
+  for (const MakeSource source : { besideEdge, besideVertex })
+  {
+    for (const double fraction : Fractions)
+    {
+      if (fraction < 20.0 * tolerance::Rounding)
+      {
+        continue; // the ends of the windows of a curve's sides are rounded to as much
+      }
+      Worst worst;
+      for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+      {
+        SCOPED_TRACE(
+          "seed " + std::to_string(seed) + ", 10^" + std::to_string(std::log10(fraction)));
+        Random random(seed);
+        const PlainMesh plain =
+          moved(randomPlanar(random.between(2, 8), random.between(2, 8), random), random);
+        const MeshPoint end = source(plain, fraction, random);
+        MeshPoint other = randomFacePoint(plain, random);
+        other.face = end.face;
+        SegmentInThePlane segment(plain, end, other, random.chance(0.5), worst);
+        for (const MeshPoint& query : verticesAndOthers(plain, 40, random))
+        {
+          segment.compare(query);
+        }
+      }
+      worst.print(fraction);
+    }
+  }
 }
 
 TEST(SourceAnglesBesideVertices, OnConesAndSaddlesAreThoseOfTheDevelopment)
