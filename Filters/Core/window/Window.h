@@ -189,11 +189,10 @@ struct Window
   /// halfedge, rounding of the crossing would turn the ray.
   Vec2 directionTo(Vec2 p, double crossing) const
   {
-    const double outside = this->unclampedCrossing(p) - crossing;
-    const bool isStraight =
-      std::abs(outside) <= tolerance::PlaceRounding * (std::abs(p.x) + p.y + this->end);
-    return !this->isLinear() && isStraight ? p - Vec2{ this->sourceX, -this->sourceDepth }
-                                           : this->direction(crossing);
+    const double outside =
+      this->isLinear() || !(p.y > 0.0) ? Infinity : std::abs(this->straightCrossing(p) - crossing);
+    const bool isStraight = outside <= tolerance::PlaceRounding * (std::abs(p.x) + p.y + this->end);
+    return isStraight ? p - Vec2{ this->sourceX, -this->sourceDepth } : this->direction(crossing);
   }
 
   /// The x of the directions of the rays through the two ends; their y is sourceDepth.
@@ -213,10 +212,6 @@ struct Window
   /// Where the ray to p crosses the halfedge, clamped to the interval.
   double crossing(Vec2 p) const
   {
-    return std::clamp(this->unclampedCrossing(p), this->begin, this->end);
-  }
-  double unclampedCrossing(Vec2 p) const
-  {
     double x = p.x;
     if (this->isLinear())
     {
@@ -224,9 +219,14 @@ struct Window
     }
     else if (p.y > 0.0)
     {
-      x = this->sourceX + (p.x - this->sourceX) * this->sourceDepth / (this->sourceDepth + p.y);
+      x = this->straightCrossing(p);
     }
-    return x;
+    return std::clamp(x, this->begin, this->end);
+  }
+  /// The same of a circular window, not clamped, for a point that is not on the halfedge.
+  double straightCrossing(Vec2 p) const
+  {
+    return this->sourceX + (p.x - this->sourceX) * this->sourceDepth / (this->sourceDepth + p.y);
   }
 
   /// Length of the shortest path to p through the interval: straight if the pencil contains p, else
