@@ -89,7 +89,7 @@ printf '\n== And taking them away again ==\n'
 on_clean_debian "$root" '
   apt-get purge -y -qq geodesic-distance geodesic-distance-doc > /install.log
   left=$(find /usr /etc -name "*FiltersGeodesic*" -o -name "GeodesicDistance*" \
-    -o -name "*geodesicdistance*" -o -name "geodesic-distance*" -o -name paraview.conf)
+    -o -name "*geodesicdistance*" -o -name "geodesic-distance*" -o -path /usr/bin/paraview.conf)
   [ -z "$left" ] || { echo "Left behind: $left"; exit 1; }'
 
 printf '\n== The Python module for plain VTK ==\n'
