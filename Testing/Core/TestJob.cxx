@@ -85,7 +85,7 @@ TEST(Job, LookingAMillionTimesTellsTheWatcherFiftyTimesASecond)
 
 TEST(JobInParallel, VisitsEachItemOnceAndReturnsResultsInOrder)
 {
-  for (const std::size_t count : { 0, 1, 1023, 1024, 1025, 100000 })
+  for (const std::size_t count : { 0U, 1U, 1023U, 1024U, 1025U, 100000U })
   {
     std::vector<std::size_t> expected(count);
     std::iota(expected.begin(), expected.end(), std::size_t(0));
@@ -126,10 +126,13 @@ TEST(LongTasksInParallel, AreReportedAndStoppedFromTheCallingThreadWhileTheyRun)
   {
     try
     {
-      for (double fraction = 0.0; number == 3; fraction = 0.5)
+      if (number == 3)
       {
-        job.reach(fraction);
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        for (double fraction = 0.0;; fraction = 0.5)
+        {
+          job.reach(fraction);
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
       }
     }
     catch (const geodesic::Aborted&)

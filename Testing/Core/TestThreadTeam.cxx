@@ -40,7 +40,7 @@ bool runsTwoAtATime(ThreadTeam& team)
 
 TEST(ParallelTeam, RunsEachTaskOfManyLoopsOnce)
 {
-  for (const std::size_t threads : { 1, 2, 3, 8 })
+  for (const std::size_t threads : { 1U, 2U, 3U, 8U })
   {
     ThreadTeam team(threads);
     std::vector<int> runs(50, 0);

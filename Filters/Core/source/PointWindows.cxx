@@ -123,16 +123,15 @@ struct PointEmitter
         std::max(p.y, 0.0), 0.0, 0.0, kind, 0 };
       this->endAt(halfedge, w, frame);
 
-      const Id entered = this->mesh.nextSibling(halfedge);
-      if (this->mesh.origin(entered) == this->mesh.origin(halfedge))
+      const Id into = this->mesh.nextSibling(halfedge);
+      if (this->mesh.origin(into) == this->mesh.origin(halfedge))
       {
         w.sourceX = length - w.sourceX;
         frame = frame.mirrored();
       }
       const double width = this->mesh.cornerAngle(
-        this->mesh.origin(entered) == near.vertex ? entered : TriangleMesh::nextInFace(entered));
-      halfedge =
-        this->passFaceAround(near, entered, w, { width, mostTurn - turn, hasShadow }, frame);
+        this->mesh.origin(into) == near.vertex ? into : TriangleMesh::nextInFace(into));
+      halfedge = this->passFaceAround(near, into, w, { width, mostTurn - turn, hasShadow }, frame);
       turn += width;
     }
   }
@@ -156,11 +155,11 @@ struct PointEmitter
   // Sends rays through the edge opposite the vertex; where all of them pass, also to that edge's
   // far end. Returns the other edge at the vertex, and replaces the frame by that behind it.
   Id passFaceAround(
-    const NearVertex& near, Id entered, const Window& w, const Turn& turn, WindowFrame& frame)
+    const NearVertex& near, Id into, const Window& w, const Turn& turn, WindowFrame& frame)
   {
-    const UnfoldedFace face = unfold(this->mesh, entered);
-    const bool isAtOrigin = this->mesh.origin(entered) == near.vertex;
-    this->reachApex(near, { entered, w }, frame, turn);
+    const UnfoldedFace face = unfold(this->mesh, into);
+    const bool isAtOrigin = this->mesh.origin(into) == near.vertex;
+    this->reachApex(near, { into, w }, frame, turn);
     double passed = 1.0; // of the opposite edge
     if (turn.most < turn.width)
     {
@@ -170,8 +169,8 @@ struct PointEmitter
       // An overlap of a few roundings, not a gap.
       passed = std::min(1.0, before / (before + behind) + tolerance::LeastWidth);
     }
-    const Id left = TriangleMesh::previousInFace(entered);
-    const Id right = TriangleMesh::nextInFace(entered);
+    const Id left = TriangleMesh::previousInFace(into);
+    const Id right = TriangleMesh::nextInFace(into);
     const LeavingWindow leaving = isAtOrigin
       ? LeavingWindow{ right,
           face.throughRight(w, (1.0 - passed) * face.rightLength, face.rightLength) }

@@ -349,18 +349,19 @@ TEST(Isolines, EndInSharedPointsWhereSeveralPagesMeet)
     }
   }
   const auto less = [](const Vec3& a, const Vec3& b) { return a < b; };
-  const auto ends = std::minmax_element(spine.begin(), spine.end(), less);
+  const auto corners = std::minmax_element(spine.begin(), spine.end(), less);
   // On one page, near the middle of the spine.
   MeshPoint source{ 0, { 0.3, 0.3, 0.4 } };
   const auto beside = [&](Index face)
   {
     const Vec3 p = position(plain, { face, { 0.3, 0.3, 0.4 } });
-    return spaceDistance(p, *ends.first) + spaceDistance(p, *ends.second);
+    return spaceDistance(p, *corners.first) + spaceDistance(p, *corners.second);
   };
   for (Index f = 0; f < 60; ++f)
   {
     const Vec3 p = position(plain, { f, { 0.3, 0.3, 0.4 } });
-    const bool isInTheMiddle = std::abs(spaceDistance(p, *ends.first) - spaceDistance(p, *ends.second)) < 1.0;
+    const bool isInTheMiddle =
+      std::abs(spaceDistance(p, *corners.first) - spaceDistance(p, *corners.second)) < 1.0;
     if (isInTheMiddle && beside(f) < beside(source.face))
     {
       source.face = f;

@@ -282,7 +282,7 @@ TEST(PeersWrongAnswers, FacesThatRepeatAVertexAndDuplicateFacesChangeNothing)
   bad.triangles.insert(bad.triangles.begin() + 5, { 3, 3, 9 });
   bad.triangles.push_back({ 7, 12, 7 });
   bad.triangles.push_back({ 11, 11, 11 });
-  for (std::size_t f : { 1, 20, 40 })
+  for (std::size_t f : { 1U, 20U, 40U })
   {
     const Triangle t = good.triangles[f];
     bad.triangles.push_back({ t[1], t[2], t[0] });

@@ -572,7 +572,7 @@ TEST(SourceAnglesBesideEdges, OfTwoFacesAreThoseOfTheStraightLine)
   {
     Worst worst;
     Random random(0);
-    for (const Index face : { 0, 1 })
+    for (const Index face : { 0U, 1U })
     {
       const double along = face == 0 ? 0.4 : 0.6;
       const double first = 1.0 - along - 0.5 * fraction;

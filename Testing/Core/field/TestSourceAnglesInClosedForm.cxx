@@ -414,7 +414,7 @@ TEST(SourceAnglesInClosedForm, AroundAnApexAreScaled)
 // Great circles; a sphere of many facets differs from the sphere by a fraction of its facets.
 TEST(SourceAnglesInClosedForm, OnASphereOfManyFacetsAreNearlyTheAzimuths)
 {
-  for (const Index n : { 8, 32 })
+  for (const Index n : { 8U, 32U })
   {
     const PlainMesh plain = octasphere(n);
     Index pole = 0;

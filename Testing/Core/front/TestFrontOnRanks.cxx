@@ -125,7 +125,7 @@ TEST_P(FrontOnRanks, DoesNotDependOnWhichRankComesFirst)
   Random random(1);
   const CutMesh cut = cutAtRandom(c.mesh, 4, random);
   const RanksResult ordered = distancesOnRanks(cut, c.curves, {});
-  for (const std::uint64_t disorder : { 1, 2, 3 })
+  for (const std::uint64_t disorder : { 1U, 2U, 3U })
   {
     const RanksResult other = distancesOnRanks(cut, c.curves, {}, disorder);
     EXPECT_EQ(ordered.vertices, other.vertices);

@@ -25,8 +25,7 @@ class Fan
 public:
   /// \param height of points above and below vertex 0, in turns.
   Fan(Id faces, bool closed, bool mixed, double height = 0.7)
-    : faces_(faces)
-    , mesh_(points(faces, closed, height), triangles(faces, closed, mixed))
+    : mesh_(points(faces, closed, height), triangles(faces, closed, mixed))
   {
     this->start_.push_back(0.0);
     for (Id f = 0; f < faces; ++f)
@@ -107,7 +106,6 @@ private:
     return result;
   }
 
-  Id faces_;
   TriangleMesh mesh_;
   std::vector<double> start_;
 };

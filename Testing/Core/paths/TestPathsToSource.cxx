@@ -416,7 +416,7 @@ TEST(PathsToSource, FromTheSourceAreTwoEqualPointsAndFromElsewhereNone)
     { SurfacePoint::atVertex(0), SurfacePoint::onEdge(0, 0.5), SurfacePoint::atVertex(3),
       SurfacePoint::inFace(2, 0.2, 0.2), SurfacePoint::onEdge(1, 0.25) });
   ASSERT_EQ(paths.size(), 5U);
-  for (const std::size_t onSource : { 0, 1, 2 })
+  for (const std::size_t onSource : { 0U, 1U, 2U })
   {
     ASSERT_EQ(paths[onSource].points.size(), 2U) << onSource;
     EXPECT_EQ(

@@ -371,12 +371,12 @@ TEST_P(RefinementOnRanks, DoesNotDependOnWhichRankComesFirst)
   const Case c = makeCase(random);
   const TriangleMesh whole = engineMesh(c.mesh);
   Task task = { c.mesh, c.curves, 0.01 * c.largest };
-  for (const std::uint64_t maximumFaces : { 0, 400 })
+  for (const std::uint64_t maximumFaces : { 0U, 400U })
   {
     task.maximumFaces = maximumFaces;
     const CutMesh cut = cutAtRandom(c.mesh, 4, random);
     const RefinedMesh ordered = refineOnRanks(cut, task).refined;
-    for (const std::uint64_t disorder : { 1, 2 })
+    for (const std::uint64_t disorder : { 1U, 2U })
     {
       expectSame(refineOnRanks(cut, task, disorder).refined, ordered);
     }
