@@ -180,8 +180,8 @@ private:
     }
   }
 
-  // At the end of a curve beside an edge the curve's parallel rays come first to a vertex behind the
-  // edge, and bend. The straight path from the end is shorter, but for rounding.
+  // At the end of a curve beside an edge the curve's parallel rays come first to a vertex behind
+  // the edge, and bend. The straight path from the end is shorter, but for rounding.
   bool isArrivalWanted(Id vertex, double distance) const
   {
     if (this->arrivals_.empty())

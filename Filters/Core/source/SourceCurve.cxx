@@ -78,8 +78,8 @@ Barycentric nearestOnSource(
 double distanceToSource(
   const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& point)
 {
-  return norm(wayInFrame(mesh, longestHalfedge(mesh, source.face),
-    nearestOnSource(mesh, source, point), point));
+  return norm(wayInFrame(
+    mesh, longestHalfedge(mesh, source.face), nearestOnSource(mesh, source, point), point));
 }
 
 }
