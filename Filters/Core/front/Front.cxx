@@ -126,7 +126,7 @@ private:
     {
       for (const LeavingWindow& to : initial.toVertices)
       {
-        if ((to.window.sourceDepth > 0.0) == isStraight)
+        if (this->isFromSource(to.window) == isStraight)
         {
           this->startAt(to);
         }
@@ -149,12 +149,17 @@ private:
     }
   }
 
+  bool isFromSource(const Window& w) const
+  {
+    return CurveSide::isOne(w.origin, this->surface_.numberOfGlobalVertices());
+  }
+
   // The vertex opposite a halfedge, from a window's source or along an edge from a near vertex.
   void startAt(const LeavingWindow& to)
   {
     const Window& w = to.window;
     const Vec2 apex = apexOf(this->mesh_, to.halfedge);
-    const bool isStraight = w.sourceDepth > 0.0;
+    const bool isStraight = this->isFromSource(w);
     this->shorten({ this->mesh_.opposite(to.halfedge), w.straightDistance(apex), 0.0,
       { to.halfedge, w.origin, isStraight ? w.crossing(apex) : w.sourceX,
         isStraight ? apex - Vec2{ w.sourceX, -w.sourceDepth } : Vec2{}, w.place } });

@@ -78,7 +78,8 @@ std::optional<Vec2> directionPastVertex(
     const auto k = std::find(corners.begin(), corners.end(), near.vertex) - corners.begin();
     return k < 3 ? 3 * other + static_cast<Id>(k) : NoId;
   };
-  for (std::size_t i = path.size() - 1; near.hasFan() && i > 0; --i)
+  const bool isBeside = near.hasFan() && near.distance > 0.0;
+  for (std::size_t i = path.size() - 1; isBeside && i > 0; --i)
   {
     const Id before = commonFace(mesh, path[i - 1], path[i]);
     const Id corner = cornerIn(before);
