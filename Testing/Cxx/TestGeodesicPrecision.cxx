@@ -436,8 +436,8 @@ void CheckSeams(
   const double far = 8.0 * CellSize;
   for (const auto& [edge, count] : edges)
   {
-    const auto isAt = [&edge = edge](std::size_t axis, double place)
-    { return edge.first[axis] == place && edge.second[axis] == place; };
+    const auto isAt = [&ends = edge](std::size_t axis, double place)
+    { return ends.first[axis] == place && ends.second[axis] == place; };
     const bool isBoundary = isAt(0, Corner[0]) || isAt(0, Corner[0] + far) || isAt(1, Corner[1]) ||
       isAt(1, Corner[1] + far);
     check.That(count == (isBoundary ? 1 : 2), what + ": no gap at an edge");

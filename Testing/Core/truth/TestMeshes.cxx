@@ -187,10 +187,11 @@ void flipRandomEdges(PlainMesh& mesh, Index tries, Random& random)
     {
       continue;
     }
-    const auto apex = [&mesh, a = a, c = c](Index face)
+    const auto apex = [&mesh, from = a, to = c](Index face)
     {
       const Triangle& t = mesh.triangles[face];
-      return *std::find_if(t.begin(), t.end(), [a, c](Index v) { return v != a && v != c; });
+      return *std::find_if(
+        t.begin(), t.end(), [from, to](Index v) { return v != from && v != to; });
     };
     Index b = apex(f);
     Index d = apex(g);
