@@ -85,7 +85,7 @@ public:
 
   std::vector<double> VertexDistances{};
   bool IsRefined = false;
-  /// Of points of the output, if it is refined.
+  /// How far points of a refined output are from where they belong.
   Displacements Displaced{};
   /// Whether refinement has added points on any rank.
   bool HasNewPoints = false;

@@ -73,7 +73,7 @@ private:
 
   Exchange& exchange_;
   std::vector<Message> messages_;
-  /// Of each rank, the items that it is asked about.
+  /// The items that each rank is asked about.
   std::vector<std::vector<std::size_t>> items_;
 };
 

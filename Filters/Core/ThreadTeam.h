@@ -15,9 +15,9 @@ namespace geodesic
 {
 
 /// Threads that stay for a whole computation. A solve has some ten thousand short parallel loops,
-/// and vtkSMPTools may start its threads anew for each, which takes longer than the loop: with a loop
-/// of vtkSMPTools for each in place of this, an exact solve on 269 thousand faces takes about 1.9
-/// times as long on two threads (STDThread).
+/// and vtkSMPTools may start its threads anew for each, which takes longer than the loop: with a
+/// loop of vtkSMPTools for each in place of this, an exact solve on 269 thousand faces takes
+/// about 1.9 times as long on two threads (STDThread).
 ///
 /// Each thread, the caller's too, takes the tasks of a range of its own one by one, and then those
 /// that are left of the others'. Ranges, because neighbouring tasks of one loop go on in
@@ -66,7 +66,7 @@ private:
   std::atomic<bool> stops_{ false };
   std::condition_variable wake_;
 
-  /// Of exceptions and of sleep.
+  /// Guards thrown_, and the moment at which a thread falls asleep.
   std::mutex guard_;
   std::exception_ptr thrown_;
 };

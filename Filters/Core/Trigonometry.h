@@ -79,7 +79,7 @@ inline double tangent(double angle)
   return v.y / v.x;
 }
 
-/// Of a sine in [-1, 1].
+/// The angle in [-pi / 2, pi / 2] with a sine in [-1, 1].
 inline double arcSine(double sine)
 {
   return polarAngle({ std::sqrt((1.0 - sine) * (1.0 + sine)), sine });

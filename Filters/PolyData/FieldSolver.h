@@ -22,7 +22,7 @@ struct FieldRequest
   double maximumDistance = Infinity;
   SourceArrayChoice arrays;
   bool isRefined = false;
-  /// Of refinement.
+  /// The tolerance of refinement.
   double tolerance = 0.0;
   /// The largest number of cells of the refined surface; 0: no limit.
   std::uint64_t maximumCells = 0;

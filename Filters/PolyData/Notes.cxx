@@ -39,7 +39,7 @@ struct FarPoints
 {
   std::size_t count = 0;
   std::size_t ofAll = 0;
-  /// Of the first ones.
+  /// The names of the first ones.
   std::vector<std::string> names;
   /// On the mesh's scale.
   double largestDistance = 0.0;
@@ -150,11 +150,12 @@ void noteSurface(const PolyDataSurface& surface, Notes& notes)
   if (read.crackEdges > 0)
   {
     std::ostringstream text;
-    text << read.crackEdges << " boundary edges of the surface lie beside others, at most "
-         << surface.scale.toUser(read.crackWidth)
-         << " apart, and are not joined: paths go around these cracks. If they are not meant to be "
-            "slits, set MergeTolerance to more than that; where points of one side have no partners "
-            "on the other, repair the mesh upstream.";
+    text
+      << read.crackEdges << " boundary edges of the surface lie beside others, at most "
+      << surface.scale.toUser(read.crackWidth)
+      << " apart, and are not joined: paths go around these cracks. If they are not meant to be "
+         "slits, set MergeTolerance to more than that; where points of one side have no partners "
+         "on the other, repair the mesh upstream.";
     notes.add(NoteOn::Surface, "cracks", text.str());
   }
 }

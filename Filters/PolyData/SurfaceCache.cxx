@@ -66,7 +66,8 @@ Fingerprint contentKey(const std::vector<PolyDataBlock>& blocks)
   {
     vtkPolyData* data = block.data;
     addArray(data->GetPoints() ? data->GetPoints()->GetData() : nullptr, key);
-    // Of lines and vertices only the number counts, by which the cells after them are numbered.
+    // The number of vertices and lines counts, as cells after them are numbered on; what they are
+    // does not.
     addWord(static_cast<std::uint64_t>(data->GetNumberOfVerts()), key);
     addWord(static_cast<std::uint64_t>(data->GetNumberOfLines()), key);
     for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })

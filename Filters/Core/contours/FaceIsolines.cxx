@@ -254,7 +254,7 @@ public:
     std::array<Vec2, 3> middles;
     std::array<bool, 3> cornerBelow{};
     std::array<bool, 3> middleBelow{};
-    /// Of each edge, before and behind its middle.
+    /// The points of each edge before and behind its middle.
     std::array<std::array<std::vector<OutlinePoint>, 2>, 3> halves;
     bool below = part.below;
     auto point = part.outline.begin();

@@ -74,7 +74,7 @@ private:
   const FaceLevel* level_ = nullptr;
   std::vector<LevelRegion> regions_;
   std::vector<LevelCurve> curves_;
-  /// Of the curve that is cut: where it meets edges and regions, and the regions near its part.
+  /// Where the curve that is cut meets edges and regions, and the regions near its part.
   std::vector<double> atEdges_;
   std::vector<double> atRegions_;
   std::vector<const LevelRegion*> near_;

@@ -132,7 +132,8 @@ private:
   CurvesOnPatch curves_;
   /// PointSide::first() of the windows' origins.
   Id firstPoint_;
-  /// Of each vertex, with global ids. An origin that is a vertex is open: see originsElsewhere().
+  /// The origin of each vertex, with global ids. An origin that is a vertex is open: see
+  /// originsElsewhere().
   std::vector<CurveOrigin> origins_;
   /// Those of vertices that other ranks count, by their global ids; none in one process.
   std::unordered_map<Id, CurveOrigin> elsewhere_;

@@ -27,7 +27,7 @@ struct WayIntoFace
   };
 
   Kind kind = Kind::None;
-  /// Of the whole path, and of the straight piece in the face.
+  /// The lengths of the whole path and of its straight piece in the face.
   double distance = Infinity;
   double length = 0.0;
   /// Where the piece begins if it comes from a source or a corner.

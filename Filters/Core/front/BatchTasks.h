@@ -87,7 +87,7 @@ struct BatchTasks
   Retention& retention;
   /// The largest number of faces that a shortest path can cross.
   Id mostFaces = std::min(this->surface.numberOfGlobalFaces(), MaximumFacesCrossed);
-  /// Of those looked for in the corridor.
+  /// The longest path that is looked for in the corridor.
   double longestPath =
     this->options.corridor != nullptr ? this->options.corridor->length : Infinity;
 };

@@ -57,7 +57,8 @@ public:
   }
 
 private:
-  /// Of one halfedge. With 64 the number of windows that go on is the same.
+  /// So many windows of one halfedge are remembered. With 64 the number of windows that go on is
+  /// the same.
   static constexpr std::size_t Most = 8;
 
   // Each time that there are twice as many lists as were left the last time.

@@ -32,7 +32,7 @@ constexpr double FirstPoint = 0.5;
 /// A face that may be among the closest to a point.
 struct Candidate
 {
-  /// Of the rank that found it, and on the whole surface once that is sent.
+  /// Its number on the rank that found it; once sent, its address on the whole surface.
   RankAddress face;
   double distance = 0.0;
   /// How much farther than the closest face it may be: by the coordinates' precision, and by
@@ -121,8 +121,9 @@ std::vector<const Candidate*> closestOf(const std::vector<Candidate>& faces, dou
   return closest;
 }
 
-/// Of the closest candidates of a point, in their order, the faces that it may be put onto, given
-/// the precision of coordinates as in snapToFace (at most SnapFraction of a face's longest edge).
+/// Chooses, among the closest candidates of a point, the faces that the point may be put onto, in
+/// their order, given the precision of coordinates as in snapToFace (at most SnapFraction of a
+/// face's longest edge).
 /// A face that is almost as close as the closest may put the point far from the closest place. So
 /// these are the faces whose distances cannot be distinguished from the least by measuring, and
 /// those that put the point within the precision of the closest place.

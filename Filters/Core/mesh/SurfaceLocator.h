@@ -55,7 +55,7 @@ private:
   MeshPartition surface_;
   /// Made with the first points.
   std::unique_ptr<FaceTree> tree_;
-  /// Of the faces that this rank owns.
+  /// Around the faces that this rank owns.
   Box box_;
 };
 

@@ -84,7 +84,7 @@ FaceShape measure(const TriangleMesh& mesh, Id face)
   {
     shape.cornerDot[k] = -dot(edge[k], edge[(k + 2) % 3]);
   }
-  // Of the three equal cross products, the one of the two shorter edges has the least rounding.
+  // The three cross products are equal; that of the two shorter edges has the least rounding.
   const std::size_t longest = shape.longestEdge();
   shape.area2 = norm(cross(edge[(longest + 1) % 3], edge[(longest + 2) % 3]));
   flatten(shape, longest,

@@ -162,7 +162,7 @@ private:
   struct Face
   {
     Triangle corners;
-    /// Of each halfedge.
+    /// The next sibling of each halfedge.
     std::array<Id, 3> nextSibling;
     FaceShape shape;
   };

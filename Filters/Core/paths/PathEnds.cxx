@@ -219,7 +219,7 @@ PathEnd PathEnds::onSegment(const LastPiece& piece, const SourceInFace& segment,
     segment.curve, place, side > 0.0 ? RightAngle : (side < 0.0 ? -RightAngle : 0.0));
 }
 
-// Of several curves at the point it is the one to which the direction belongs.
+// If several curves meet in the point, the direction tells which one the end belongs to.
 PathEnd PathEnds::atPoint(const LastPiece& piece, Id number) const
 {
   const CurveChains::Point at = this->onPatch_.chains().pointWith(number);

@@ -16,7 +16,7 @@ struct KnownDistances
   /// At each vertex of this rank's part, not below the distance; and the distance where it is
   /// within the reach.
   const std::vector<double>& atVertices;
-  /// Of all ranks.
+  /// The largest reach of all ranks.
   double reach = Infinity;
 };
 

@@ -18,7 +18,7 @@ namespace
 /// A straight piece of a path through a face, which ends at the point that is looked at.
 struct Piece
 {
-  /// Of the path, and of the piece.
+  /// The lengths of the path and of the piece.
   double distance;
   double length;
   SurfacePoint begin;
@@ -30,7 +30,7 @@ struct Piece
 struct PathStep
 {
   SurfacePoint point;
-  /// Of the path up to here, and what is left.
+  /// The length of the path up to here, and the length that is left.
   double length = 0.0;
   double left = 0.0;
   bool isAtSource = false;

@@ -368,8 +368,8 @@ private:
   const TakePath& take_;
   /// Those that go on from this rank, or whose ends it sends to their targets' ranks.
   std::vector<PathInTransit> leaving_;
-  /// Of this rank's targets: the points found so far of a path that has left, and those whose paths
-  /// got lost.
+  /// For targets of this rank, the points found so far of a path that has left this rank; and the
+  /// targets whose paths got lost.
   std::map<Id, std::vector<SentPathPoint>> found_;
   std::vector<Id> lost_;
 };

@@ -55,7 +55,7 @@ double belowThroughHalfedge(
 /// where they exceed the tolerance less the rounding.
 struct QuickError
 {
-  /// Of the distances at the corners; to be added to the bounds.
+  /// The rounding of the distances at the corners, to be added to the bounds.
   double rounding = 0.0;
   /// From the face's size: distances change by no more than the length moved, so the longest edge
   /// is a bound.

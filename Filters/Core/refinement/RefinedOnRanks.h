@@ -44,8 +44,8 @@ struct SeamPoints
   std::vector<RankAddress> there;
 };
 
-/// Of the ranks that have a point on a shared edge and know a face there, the lowest provides its
-/// values. A collective call of all ranks.
+/// Several ranks may have a point on a shared edge: the lowest one that knows a face there provides
+/// the point's values. A collective call of all ranks.
 ///
 /// \param points the points of this rank's refinement.
 /// \param count number of the first points, whose places on the mesh are known.

@@ -53,7 +53,7 @@ private:
   std::vector<std::vector<double>> places_;
   /// The curves of each chain in order along it.
   std::vector<std::vector<Id>> order_;
-  /// Of each curve.
+  /// Where each curve lies in its chain.
   std::vector<Part> parts_;
   /// The number of each chain's first point.
   std::vector<Id> firstPoints_;

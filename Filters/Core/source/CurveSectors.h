@@ -92,7 +92,7 @@ private:
 
   const TriangleMesh& mesh_;
   CurveOrigin whole_;
-  /// Of each face; of one that turns have entered several times, the first.
+  /// The frame of each face, as the first turn has entered it.
   std::map<Id, Frame> frames_;
   /// The total angle of each closed fan; infinite for the others.
   std::vector<double> totals_;

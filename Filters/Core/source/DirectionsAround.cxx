@@ -125,7 +125,7 @@ DirectionsAround::Stop DirectionsAround::beside(const Stop& stop, bool isClockwi
   return { isOutgoing ? entered : TriangleMesh::nextInFace(entered), isOutgoing == isClockwise };
 }
 
-// Of a face's frame; None if the face is not around the point.
+// The index of a face's frame; None if the face is not around the point.
 std::size_t DirectionsAround::indexOf(Id face) const
 {
   const auto frame = std::lower_bound(this->frames_.begin(), this->frames_.end(), 3 * face,
@@ -194,7 +194,7 @@ double DirectionsAround::angleOf(double around) const
                        : this->betweenSegments(fan, at, &*first, &*first + (last - first));
 }
 
-// Of one closed fan, scaled. Each of several fans follows those before it.
+// The angles of a single closed fan are scaled. Several fans follow one another.
 double DirectionsAround::withoutSegments(const Fan& fan, double at) const
 {
   if (this->point_.kind != SurfacePoint::Kind::Vertex)

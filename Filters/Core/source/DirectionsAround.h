@@ -110,7 +110,8 @@ private:
   std::vector<Fan> fans_;
   /// In the order of their angles.
   std::vector<End> ends_;
-  /// Of a point that is not a vertex: from the first face's first edge to the x axis of its frame.
+  /// The angle from the first face's first edge to the x axis of that face's frame, if the point is
+  /// not a vertex.
   double toAxis_ = 0.0;
 };
 

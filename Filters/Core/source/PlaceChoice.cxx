@@ -121,8 +121,8 @@ public:
   {
     Breaks breaks = Never;
     Way way;
-    /// Of each layer: departure from the first point, arrival at the second, departure from it, and
-    /// so on.
+    /// The place in each layer: where the first point is left, where the second is reached, where
+    /// it is left, and so on.
     std::vector<std::size_t> places;
   };
 

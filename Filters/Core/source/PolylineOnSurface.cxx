@@ -319,7 +319,7 @@ private:
   /// Points of the finished polylines.
   double pointsDone_ = 0.0;
   std::size_t pointsPlaced_ = 0;
-  /// Of the mesh, for choosePlaces().
+  /// The component of each vertex, for choosePlaces().
   std::vector<Id> components_;
   SourceCurves result_;
 };

@@ -46,8 +46,8 @@ double TurnAroundPoint::width() const
   return this->place_.x == 0.0 ? this->mesh_.cornerAngle(this->halfedge()) : Pi;
 }
 
-// Of the halfedges of a face, that which a turn around the corner leaves across if it entered
-// across the given one.
+// The halfedge that a turn around the corner leaves a face across if it entered the face across the
+// given one.
 Id TurnAroundPoint::pivotNext(Id halfedge) const
 {
   return this->isCounterclockwise_ ? TriangleMesh::previousInFace(halfedge)

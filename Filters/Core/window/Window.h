@@ -168,9 +168,9 @@ struct Window
     return this->sigma + std::sqrt(dx * dx + dy * dy);
   }
 
-  /// Of a linear window, the place along the curve where the ray through a point of the face's
-  /// plane starts; of a circular one, place itself, as its rays share it. On the left side of the
-  /// curve, the rays' direction is the curve's direction turned to the left.
+  /// The place along the curve where a linear window's ray through a point of the face's plane
+  /// starts. The rays of a circular window share its place. On the left side of the curve, the
+  /// rays' direction is the curve's direction turned to the left.
   double placeOf(Vec2 p) const
   {
     const double along = this->sourceDepth * p.x - this->sourceX * p.y;

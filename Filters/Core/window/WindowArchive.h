@@ -167,7 +167,8 @@ public:
 private:
   static constexpr std::size_t ChunkWindows = std::size_t(1) << 12;
 
-  /// Of 64 halfedges, which have windows, a bit each, and how many have of all those before.
+  /// A bit for each of 64 halfedges tells whether it has windows; and how many of the halfedges
+  /// before these have some.
   struct Block
   {
     std::uint64_t used = 0;

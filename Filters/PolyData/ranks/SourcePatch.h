@@ -45,8 +45,8 @@ private:
   void addFacesAtVertex(Id vertex);
 
   MeshPartition surface_;
-  /// Of each face of the partition whether it is asked for; empty in one process, where the patch
-  /// has all faces anyway.
+  /// Whether each face of the partition is asked for; empty in one process, where the patch has all
+  /// faces anyway.
   std::vector<std::uint8_t> isChosen_;
 };
 

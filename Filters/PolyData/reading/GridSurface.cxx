@@ -329,12 +329,12 @@ private:
 
   vtkUnstructuredGrid* grid_;
   PolyDataBlock block_;
-  /// Of each type.
+  /// The kind, and the least number of points, of each cell type.
   std::array<CellKind, 256> kinds_{};
   std::array<vtkIdType, 256> leastSizes_{};
   vtkNew<vtkCellArray> polygons_;
   std::vector<vtkIdType> cellsOfPolygons_;
-  /// Of a cell that is not taken as it is.
+  /// For the current cell, if it is not taken as it is.
   vtkNew<vtkIdList> corners_;
   vtkNew<vtkPoints> places_;
   vtkNew<vtkGenericCell> cell_;

@@ -177,7 +177,7 @@ private:
 
   std::vector<Ends> ends_;
   std::vector<Meeting> meetings_;
-  /// Of each line: whether it is in a chain, or left out.
+  /// Whether each line is in a chain, or left out.
   std::vector<std::uint8_t> isDone_;
 };
 

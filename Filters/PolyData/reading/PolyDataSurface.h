@@ -142,7 +142,7 @@ struct PolyDataSurface
   /// The triangles that the output has if it is not refined. Of those on the same vertices the mesh
   /// has one: triangleOf() tells which.
   Id numberOfTriangles;
-  /// Of the triangles; empty if all are open.
+  /// The role of each triangle; empty if all are open.
   std::vector<TriangleRole> roles;
   /// The triangles that are open, unless all are, and those that are barriers.
   std::vector<Id> openTriangles;
@@ -151,7 +151,7 @@ struct PolyDataSurface
   PowerOfTwoScale scale;
   /// Around the points that triangles use, on the mesh; of the whole surface.
   Box box;
-  /// Of the box.
+  /// The diagonal of the box.
   double diagonal;
   SurfaceReport report;
 

@@ -192,7 +192,7 @@ std::vector<EdgeOfFace> boundaryAmong(
 struct Candidates
 {
   const SeamSurface& surface;
-  /// Of each vertex its number among the candidates, or NoId.
+  /// The number of each vertex among the candidates; NoId for others.
   std::vector<Id> numbers{};
   std::vector<SeamVertex> vertices{};
   /// The edges between candidates.

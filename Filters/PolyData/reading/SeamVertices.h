@@ -70,7 +70,7 @@ struct SeamVertex
   std::size_t block = std::numeric_limits<std::size_t>::max();
   /// Whether there is a triangle that is no ghost.
   bool hasFace = false;
-  /// Of the whole surface.
+  /// Whether it is on the boundary of the whole surface.
   bool isOnBoundary = false;
   /// Whether other ranks have it, too.
   bool isShared = false;

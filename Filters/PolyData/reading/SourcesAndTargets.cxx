@@ -61,7 +61,7 @@ void findVertices(const PolyDataSurface& surface, double coordinatePrecision, Lo
 struct BlockReader
 {
   const PolyDataBlock& block;
-  /// Of the blocks before, to which those of this one are added.
+  /// The polylines of the blocks before; this block adds its own.
   SourcePolylines& sources;
   const Id firstSource = static_cast<Id>(sources.idEnd);
   vtkIdType cell = 0;
@@ -377,8 +377,8 @@ struct OwnPlace
   double order = Infinity;
 };
 
-/// Of equally close faces the one in which the point lies on a vertex, or else on an edge, and else
-/// the first: what putOntoSurface() does with a single point.
+/// If several faces are equally close, chooses one in which the point lies on a vertex, or else on
+/// an edge, or else the first one, as putOntoSurface() does with a single point.
 OwnPlace snapToOwnFace(const MeshPartition& surface, const Vec3& point,
   const std::vector<ClosestFace>& closest, double coordinatePrecision)
 {

@@ -68,7 +68,7 @@ struct Targets
   /// The numbers of those that paths may reach and whose faces this rank owns. Points that lie in a
   /// barrier are left out.
   std::vector<std::size_t> numbers;
-  /// Of these.
+  /// Where these points are on the surface.
   std::vector<SurfacePoint> places;
   /// From each of these in space to its place, on the mesh's scale.
   std::vector<double> snapDistances;

@@ -233,10 +233,11 @@ struct SurfaceReader
   Id numberOfPoints = 0;
   Vertices vertices{};
   TriangleList triangles{};
-  /// Of the triangles; empty if all are open.
+  /// The role of each triangle; empty if all are open.
   std::vector<TriangleRole> roles{};
   PowerOfTwoScale scale{};
-  /// Of the triangles, and the largest coordinate of those of all ranks, on the mesh's scale.
+  /// Around the triangles; and the largest coordinate of the triangles of all ranks. Both are on
+  /// the mesh's scale.
   Box box{};
   double largestCoordinate = 0.0;
   SurfaceReport report{};

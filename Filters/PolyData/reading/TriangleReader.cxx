@@ -67,7 +67,7 @@ struct BlockReader
   /// The current cell: vtkPolyData numbers vertices, lines, polygons and strips, in this order.
   vtkIdType cell = 0;
   bool hasOtherCells = false;
-  /// Of a polygon, without repeated vertices.
+  /// The vertices of the current polygon, without repetitions.
   std::vector<vtkIdType> outline{};
   vtkNew<vtkPolygon> polygon{};
   vtkNew<vtkIdList> ears{};
@@ -116,7 +116,7 @@ struct BlockReader
   {
     return this->ghosts && (this->ghosts->GetValue(this->inputCell()) & mark) != 0;
   }
-  /// Of the next cells how many are neither duplicates nor hidden.
+  /// How many of the next cells are neither duplicates nor hidden.
   vtkIdType countUnmarked(vtkIdType cells)
   {
     vtkIdType unmarked = 0;

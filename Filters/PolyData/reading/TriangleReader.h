@@ -67,7 +67,7 @@ TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const Verte
 
 /// Finds the roles of the triangles of all ranks, which call this together.
 ///
-/// Of triangles that ghost arrays mark as duplicates, the originals are looked for on all ranks. A
+/// The originals of triangles that ghost arrays mark as duplicates are looked for on all ranks. A
 /// marked cell on the vertices of an unmarked cell of this rank gets that cell's triangles (a
 /// polygon may be cut in several ways). A marked cell without an original is surface itself; of
 /// several such cells on the same vertices, the first.

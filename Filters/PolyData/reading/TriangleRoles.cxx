@@ -64,8 +64,7 @@ void copyCut(const Range& original, const Range& duplicate, const VertexOfPoint&
   }
 }
 
-/// Of cells that were cut into several triangles, takes the cut of an original over to its
-/// duplicates.
+/// If a cell was cut into several triangles, its duplicates get the same cut.
 void copyCuts(const VertexOfPoint& vertexOf, TriangleList& triangles)
 {
   const auto forEachCut = [&triangles](bool isMarked, const auto& visit)
@@ -114,7 +113,7 @@ Fingerprint keyOf(std::vector<Label>& labels)
   return key;
 }
 
-/// Of a vertex that no other cell has.
+/// The label of a vertex that no other cell has.
 constexpr Label NoLabel = ~Label(0);
 
 /// Marks the copies among some cells of all ranks, which call this together: of cells on the same

@@ -9,7 +9,7 @@ namespace geodesic
 namespace
 {
 
-/// Of this rank's faces.
+/// Finds the input cells of this rank's faces.
 class CellsOfOwnFaces
 {
 public:

@@ -153,7 +153,7 @@ vtkNew<vtkDoubleArray> writeLines(const PowerOfTwoScale& scale,
   return lengths;
 }
 
-/// Of the last point of a path it is the last piece's.
+/// The last point of a path has the cell of the last piece.
 void writeCells(const std::vector<PathOfTarget>& paths, vtkIdType size, vtkPolyData* output)
 {
   const auto cells = makeArray<vtkIdTypeArray>("FaceId", size);

@@ -25,10 +25,10 @@ namespace geodesic
 /// interpolant at q' differs from the distance at c by no more than errorBound + displacement.
 struct Displacements
 {
-  /// Of the input's points: they are rounded where single precision is asked for, and away from
-  /// their vertex where they were joined with others.
+  /// How far the input's points are displaced: they are rounded if single precision is asked for,
+  /// and away from their vertex if they were joined with others.
   double ofInputPoints = 0.0;
-  /// Of the points that refinement adds.
+  /// The same of the points that refinement adds.
   double ofNewPoints = 0.0;
 
   double largest() const { return std::max(this->ofInputPoints, this->ofNewPoints); }

@@ -80,7 +80,7 @@ struct ValuesAtPoints
 struct SourceArrays
 {
   const PolyDataSurface& surface;
-  /// Of the source.
+  /// The curves of the source.
   const std::vector<SourceCurve>& curves;
   /// By SourceCurve::source.
   const std::vector<vtkIdType>& sourceIds;
@@ -91,13 +91,14 @@ struct SourceArrays
   double textureTile;
   SourceArrayChoice choice;
 
-  /// Of every vertex that points have: PolyDataSurface::vertexOf(). All ranks call this together.
+  /// Values for every vertex that points have: PolyDataSurface::vertexOf(). All ranks call this
+  /// together.
   ///
   /// \param computed the field that gradients are of, with arrivals.
   ValuesAtPoints atVertices(
     const DistanceField& computed, const NearestSource& nearest, const Job& job) const;
-  /// Of the points that refinement has added. A point on a seam has the values of the rank that
-  /// knows them best. All ranks call this together.
+  /// Values for the points that refinement has added. A point on a seam has the values of the rank
+  /// that knows them best. All ranks call this together.
   ///
   /// \param exact the field that feet are of, with arrivals; the computed one or another.
   ValuesAtPoints atNewPoints(const RefinedSurface& refined, const DistanceField& computed,

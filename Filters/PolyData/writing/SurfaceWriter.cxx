@@ -261,7 +261,7 @@ std::vector<RefinedBlock> partsByBlock(
   {
     parts[i].mesh.numberOfInputPoints = surface.blocks[i].numberOfPoints;
   }
-  // Of each new point its block and its number there, which those between it and others need.
+  // The block of each new point and its number there: points between it and others need them.
   std::vector<std::size_t> blocks;
   std::vector<Id> numbers;
   const auto numberOf = [&](Id point, const SurfaceBlock& block)
@@ -346,7 +346,7 @@ void removeUnusedPoints(vtkPolyData* data)
   constexpr vtkIdType unused = -1;
   const vtkIdType count = data->GetNumberOfPoints();
   requireMemory(count, 2 * static_cast<vtkIdType>(sizeof(vtkIdType)));
-  // Of each point its number among those that are used.
+  // The number of each point among those that are used.
   std::vector<vtkIdType> numbers(static_cast<std::size_t>(count), unused);
   forEachCell(data->GetPolys(),
     [&numbers](vtkIdType size, const vtkIdType* ids)

@@ -50,7 +50,7 @@ struct UnmeshedTriangle
   Triangle vertices;
   /// The template on its vertices; NoId if no face is there.
   Id like = NoId;
-  /// Of a barrier, the templates at its edges from corner k on; NoId at edges without a face.
+  /// The templates at a barrier's edges from corner k on; NoId at edges without a face.
   std::array<Id, 3> atEdges{ NoId, NoId, NoId };
   /// The points that split these edges, by their numbers in the template and along its edge.
   EdgeSplits splits{};
@@ -221,7 +221,7 @@ struct TemplateCopier
   /// The points that the added ones are copies of.
   std::vector<RankAddress> copied{};
   const RefinedTemplate* like = nullptr;
-  /// Of the template's corners and points; NoId for those that the triangle has no point for yet.
+  /// The numbers of the template's corners and points; NoId where the triangle has no point yet.
   std::vector<Id> numbers{};
 
   /// \param isWhole whether a triangle on the vertices of a face is not cut.
