@@ -17,6 +17,11 @@ constexpr double Rounding = std::numeric_limits<double>::epsilon();
 /// put onto it.
 constexpr double ZeroArea = 8.0 * Rounding;
 
+/// A face is thin if one of its altitudes is below this fraction of its edge: many times longer
+/// than high, as scans have hardly any face. From there on windows come again and again to the
+/// halfedges of its vertices.
+constexpr double ThinFace = 1.0 / 32.0;
+
 /// A vertex is flat if its total angle exceeds the straight angle by less than this fraction: the
 /// sum of a fan's angles leaves some roundings, and a gap of this angle behind the vertex changes
 /// no distance by more than this fraction.
@@ -87,6 +92,11 @@ constexpr double BesideEnd = 1e-6;
 /// edges is rounded. In needles unfolding may round more; such a path is found in windows instead.
 constexpr double TracedLength = 1e-12;
 
+/// The relative error of the fronts that find the strip of faces around a path between two points.
+/// The strip is as wide as the root of the error: with a smaller error these fronts take longer,
+/// with a larger one the exact search in the strip does.
+constexpr double CorridorSearch = 1e-3;
+
 /// Lengths between two places in a face are rounded to this fraction of its longest edge: places
 /// are stored as barycentric coordinates.
 constexpr double PlaceRounding = 16.0 * Rounding;
@@ -151,6 +161,14 @@ constexpr double BelowValue = 1e-13;
 /// A point of an isoline on an edge is at a vertex if it is nearer than this fraction of the value
 /// and the edge: the points of all edges around a vertex at exactly the value are then one place.
 constexpr double IsolineAtVertex = 4.0 * BelowValue;
+
+/// A box around a face in its plane is larger by this fraction of the face's size, far more than
+/// any rounding: it only tells which curves cannot be near.
+constexpr double PlaneBoxRoom = 1e-3;
+
+/// The side of a chord of an isoline is asked this fraction of the chord from its ends: at the ends
+/// themselves two sides may meet.
+constexpr double BesideChordEnd = 1e-6;
 
 /// Inside a face the level curves of two ways of equal length may coincide. Each further curve is
 /// drawn for a value that is smaller by this fraction of the value and the face, a few roundings of

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contours/IsolineSides.h"
 
+#include "Tolerance.h"
+
 #include <algorithm>
 
 namespace geodesic
@@ -9,9 +11,6 @@ namespace geodesic
 namespace
 {
 
-// Where the side of a chord is found, as a fraction of the chord from its ends: at the ends
-// themselves two sides may meet.
-constexpr double BesideEnd = 1e-6;
 // How often a chord is halved to find where its side changes: down to rounding.
 constexpr int Halvings = 50;
 
@@ -106,8 +105,8 @@ private:
     for (std::size_t chord = 0; chord < line.faces.size(); ++chord)
     {
       this->job_.look(this->chordsDone_++ / this->chords_);
-      const bool before = this->isOnRightAt(line, chord, BesideEnd);
-      const bool behind = this->isOnRightAt(line, chord, 1.0 - BesideEnd);
+      const bool before = this->isOnRightAt(line, chord, tolerance::BesideChordEnd);
+      const bool behind = this->isOnRightAt(line, chord, 1.0 - tolerance::BesideChordEnd);
       if (before != behind)
       {
         chords.push_back({ line.faces[chord], this->addChange(line, chord, before), before });
@@ -121,8 +120,8 @@ private:
   /// value of the line: along a ray the distance changes as much as the place.
   Id addChange(const Isoline& line, std::size_t chord, bool isRightBefore)
   {
-    double begin = BesideEnd;
-    double end = 1.0 - BesideEnd;
+    double begin = tolerance::BesideChordEnd;
+    double end = 1.0 - tolerance::BesideChordEnd;
     for (int i = 0; i < Halvings; ++i)
     {
       const double middle = 0.5 * (begin + end);

@@ -81,10 +81,10 @@ double placeByDistance(
   return place;
 }
 
-class Drawing
+class IsolineDrawing
 {
 public:
-  Drawing(const DistanceField& field, const IsolineOptions& options)
+  IsolineDrawing(const DistanceField& field, const IsolineOptions& options)
     : field_(field)
     , mesh_(field.mesh())
     , options_(options)
@@ -101,7 +101,7 @@ public:
     this->findFaces();
     this->findEdgePoints();
     std::vector<IsolinePieces> drawn =
-      this->forTasks(this->options_.job.part(EdgesDone, 1.0), &Drawing::drawFaces);
+      this->forTasks(this->options_.job.part(EdgesDone, 1.0), &IsolineDrawing::drawFaces);
     std::vector<SurfacePoint> onEdges;
     onEdges.reserve(this->edgePoints_.size());
     std::vector<Id> atSeams;
@@ -154,8 +154,8 @@ private:
 
   /// Runs a task for ranges of the faces. A single face may have very many windows.
   template <typename Result>
-  std::vector<Result> forTasks(
-    const Job& job, Result (Drawing::*task)(std::size_t, std::size_t, const Job&) const) const
+  std::vector<Result> forTasks(const Job& job,
+    Result (IsolineDrawing::*task)(std::size_t, std::size_t, const Job&) const) const
   {
     const std::size_t count = this->faces_.size();
     std::vector<Result> results((count + FacesPerTask - 1) / FacesPerTask);
@@ -171,7 +171,7 @@ private:
   void findEdgePoints()
   {
     const auto found =
-      this->forTasks(this->options_.job.part(0.0, EdgesDone), &Drawing::edgePointsOf);
+      this->forTasks(this->options_.job.part(0.0, EdgesDone), &IsolineDrawing::edgePointsOf);
     for (const std::vector<EdgePoint>& points : found)
     {
       this->edgePoints_.insert(this->edgePoints_.end(), points.begin(), points.end());
@@ -366,7 +366,7 @@ private:
 Isolines drawIsolines(const DistanceField& field, const IsolineOptions& options)
 {
   checkOptions(options);
-  return Drawing(field, options).run();
+  return IsolineDrawing(field, options).run();
 }
 
 }

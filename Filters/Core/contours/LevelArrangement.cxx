@@ -14,11 +14,10 @@ namespace
 // With some room for roundings.
 PlaneBox boxAround(const std::array<Vec2, 3>& corners, double size)
 {
-  constexpr double room = 1e-3;
   const auto [lowX, highX] = std::minmax({ corners[0].x, corners[1].x, corners[2].x });
   const auto [lowY, highY] = std::minmax({ corners[0].y, corners[1].y, corners[2].y });
-  return { { lowX - room * size, lowY - room * size },
-    { highX + room * size, highY + room * size } };
+  return { { lowX - tolerance::PlaneBoxRoom * size, lowY - tolerance::PlaneBoxRoom * size },
+    { highX + tolerance::PlaneBoxRoom * size, highY + tolerance::PlaneBoxRoom * size } };
 }
 
 /// Around a part of a curve.

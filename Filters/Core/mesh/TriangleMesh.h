@@ -3,6 +3,7 @@
 #define geodesic_TriangleMesh_h
 
 #include "Job.h"
+#include "Tolerance.h"
 #include "Types.h"
 
 #include <algorithm>
@@ -30,11 +31,11 @@ struct FaceShape
   double longest() const { return this->length[this->longestEdge()]; }
   /// According to tolerance::ZeroArea.
   bool hasZeroArea() const;
-  /// Whether the face is many times longer than high. Scans have hardly any such face.
+  /// According to tolerance::ThinFace.
   bool isThin() const
   {
-    constexpr double thin = 1.0 / 32.0;
-    const auto isLong = [this](double edge) { return this->area2 < thin * edge * edge; };
+    const auto isLong = [this](double edge)
+    { return this->area2 < tolerance::ThinFace * edge * edge; };
     return isLong(this->length[0]) || isLong(this->length[1]) || isLong(this->length[2]);
   }
 };

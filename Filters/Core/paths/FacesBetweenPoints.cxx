@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paths/FacesBetweenPoints.h"
 
+#include "Tolerance.h"
 #include "field/RetentionAround.h"
 #include "mesh/SurfaceSnap.h"
 #include "source/SourceWindows.h"
@@ -13,10 +14,6 @@ namespace geodesic
 
 namespace
 {
-
-/// Relative error of the fronts. The strip is as wide as the root of the error: with a smaller
-/// error the fronts take longer, with a larger one the search in the strip does.
-constexpr double SearchError = 1e-3;
 
 /// A point of the patch as one of this rank's part: none where other ranks own its faces.
 std::vector<SurfacePoint> ownPlaceOf(
@@ -97,7 +94,7 @@ LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
   const TriangleMesh& mesh = part.mesh();
   FrontOptions options;
   options.job = job;
-  options.relativeError = SearchError;
+  options.relativeError = tolerance::CorridorSearch;
   const std::vector<SurfacePoint> target = ownPlaceOf(part, patch, to);
   RetentionAround search(mesh, target);
   LowerBounds ways;
@@ -106,7 +103,7 @@ LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
     options, search)
                    .vertexDistances;
   const double reach = part.exchange().largestOf(search.reach());
-  ways.length = reach / (1.0 - SearchError);
+  ways.length = reach / (1.0 - tolerance::CorridorSearch);
   // Vertices that the front has not settled are beyond its reach; no way is shorter than the
   // distance in space.
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)

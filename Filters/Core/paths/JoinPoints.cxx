@@ -148,10 +148,6 @@ std::vector<Id> facesWithin(const TriangleMesh& surface, const SurfacePoint& fir
 /// The fraction of the job at which the search ends.
 constexpr double ShareOfSearch = 0.7;
 
-/// Relative error of the search. The strip is as wide as the root of the error: with a smaller
-/// error the search takes longer, with a larger one the exact front does.
-constexpr double SearchError = 1e-3;
-
 std::vector<double> distancesInSpace(const TriangleMesh& mesh, const SurfacePoint& point)
 {
   std::vector<double> distances;
@@ -185,7 +181,8 @@ public:
     RetentionAround::advance(front);
     for (const Id vertex : front.settled)
     {
-      const double length = front.distances(vertex) + (1.0 + SearchError) * this->toSecond_[vertex];
+      const double length =
+        front.distances(vertex) + (1.0 + tolerance::CorridorSearch) * this->toSecond_[vertex];
       this->longestPath_ = std::min(
         this->longestPath_, std::max(this->least_, (1.0 + tolerance::BoundMargin) * length));
     }
@@ -233,7 +230,7 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   FrontOptions options;
   options.corridor = &corridor;
   options.job = job.part(0.0, ShareOfSearch);
-  options.relativeError = SearchError;
+  options.relativeError = tolerance::CorridorSearch;
   RetentionAround search(mesh, { first });
   const std::vector<double> toSecond =
     propagate(mesh, { pointCurve(second) }, options, search).vertexDistances;
@@ -242,7 +239,8 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   // The two points may be at one place, behind faces without area: there a path is as long as
   // roundings.
   const double least = tolerance::BoundMargin * length;
-  corridor.length = std::min(length, std::max(least, (1.0 + SearchError) * search.reach()));
+  corridor.length =
+    std::min(length, std::max(least, (1.0 + tolerance::CorridorSearch) * search.reach()));
   options.relativeError = 0.0;
   options.keepArrivals = true;
   options.job = job.part(ShareOfSearch, 1.0);

@@ -73,10 +73,11 @@ bool isAcrossWithoutArea(
     tolerance::PathAtVertex * (lengthOfCurve + shape.longest());
 }
 
-class Maker
+class SourceWindowsMaker
 {
 public:
-  Maker(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves, const Job& job)
+  SourceWindowsMaker(
+    const TriangleMesh& mesh, const std::vector<SourceCurve>& curves, const Job& job)
     : mesh_(mesh)
     , curves_(ReplicatedPatch(mesh), curves)
     , job_(job)
@@ -294,7 +295,7 @@ std::vector<Id> verticesOfPart(const ReplicatedPatch& patch, const std::vector<I
 SourceWindows makeSourceWindows(
   const TriangleMesh& mesh, const std::vector<SourceCurve>& curves, const Job& job)
 {
-  return Maker(mesh, curves, job).make();
+  return SourceWindowsMaker(mesh, curves, job).make();
 }
 
 SourceWindows sourceWindowsOfPartition(

@@ -58,7 +58,7 @@ void findVertices(const PolyDataSurface& surface, double coordinatePrecision, Lo
 }
 
 /// Takes the curves out of the cells of one block. Ids are numbers of cells and points.
-struct BlockReader
+struct SourceBlockReader
 {
   const PolyDataBlock& block;
   /// The polylines of the blocks before; this block adds its own.
@@ -78,17 +78,17 @@ struct BlockReader
       this->readPoints();
       return std::move(this->isUsed);
     }
-    this->read(source->GetVerts(), &BlockReader::addVertices);
-    this->read(source->GetLines(), &BlockReader::addLine);
-    this->read(source->GetPolys(), &BlockReader::addPolygon);
-    this->read(source->GetStrips(), &BlockReader::addStrip);
+    this->read(source->GetVerts(), &SourceBlockReader::addVertices);
+    this->read(source->GetLines(), &SourceBlockReader::addLine);
+    this->read(source->GetPolys(), &SourceBlockReader::addPolygon);
+    this->read(source->GetStrips(), &SourceBlockReader::addStrip);
     std::sort(this->sources.ids.begin() + before, this->sources.ids.end());
     this->sources.idEnd += this->cell;
     this->sources.droppedCells += this->block.droppedCells;
     return std::move(this->isUsed);
   }
 
-  using Adder = void (BlockReader::*)(vtkIdType, const vtkIdType*);
+  using Adder = void (SourceBlockReader::*)(vtkIdType, const vtkIdType*);
 
   /// Each point is a source of its own, however many of them a vertex cell has.
   void readPoints()
@@ -406,7 +406,7 @@ SourcePolylines readSource(
   std::vector<std::vector<char>> used;
   for (const PolyDataBlock& block : source)
   {
-    used.push_back(BlockReader{ block, result }.read());
+    used.push_back(SourceBlockReader{ block, result }.read());
   }
   if (result.polylines.empty())
   {

@@ -54,7 +54,7 @@ auto triangulate(Polygon* polygon, vtkIdList* ears, long) -> decltype(polygon->T
 }
 
 /// Collects the triangles of one block's cells.
-struct BlockReader
+struct TriangleBlockReader
 {
   const PolyDataBlock& block;
   /// The number of the block's point 0 among those of all blocks.
@@ -104,8 +104,8 @@ struct BlockReader
           ++this->cell;
         });
     };
-    readAll(this->block.data->GetPolys(), &BlockReader::addPolygon);
-    readAll(this->block.data->GetStrips(), &BlockReader::addStrip);
+    readAll(this->block.data->GetPolys(), &TriangleBlockReader::addPolygon);
+    readAll(this->block.data->GetStrips(), &TriangleBlockReader::addStrip);
     return !this->hasOtherCells && this->block.inputCells.empty();
   }
 
@@ -263,7 +263,7 @@ TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const Verte
   {
     triangles.firstOfBlock.push_back(triangles.corners.size());
     blocks[i].firstTriangle = static_cast<Id>(triangles.corners.size());
-    BlockReader reader{ inputs[i], blocks[i].firstPoint, vertexOf, triangles, report };
+    TriangleBlockReader reader{ inputs[i], blocks[i].firstPoint, vertexOf, triangles, report };
     blocks[i].areInputCells = reader.read(job, numberOfFaces, cellsRead);
   }
   triangles.firstOfBlock.push_back(triangles.corners.size());
