@@ -181,7 +181,8 @@ private:
   }
 
   // At the end of a curve beside an edge the curve's parallel rays come first to a vertex behind
-  // the edge, and bend. The straight path from the end is shorter, but for rounding.
+  // the edge, and bend. The straight path from the end is shorter, but for rounding. Merged
+  // windows have no such ties: their paths are longer than their distances.
   bool isArrivalWanted(Id vertex, double distance) const
   {
     if (this->arrivals_.empty())
@@ -190,7 +191,7 @@ private:
     }
     const Arrival& known = this->arrivals_[vertex];
     return distance <= this->distance(vertex) * (1.0 + tolerance::Tie)
-      ? !known.isKnown() || isBent(this->mesh_, known)
+      ? !known.isKnown() || (this->errors_.empty() && isBent(this->mesh_, known))
       : !known.isKnown() && distance <= this->distance(vertex) + this->tieAround(vertex);
   }
   bool isBetterArrival(const DistanceUpdate& update, double distance) const
