@@ -238,11 +238,15 @@ private:
     const double shortest = this->best_.distance;
     const double size = distance + this->faceSize_;
     const bool isTie = std::abs(distance - shortest) <= tolerance::Tie * size;
-    const bool isAsStraight = std::abs(straight - this->straight_) <= tolerance::Tie * size;
-    const double ofCorner =
-      (kind == Kind::Corner ? 1.0 : 0.0) - (this->best_.kind == Kind::Corner ? 1.0 : 0.0);
+    const int ofCorner =
+      (kind == Kind::Corner ? 1 : 0) - (this->best_.kind == Kind::Corner ? 1 : 0);
+    const bool isNearSource =
+      ofCorner != 0 && std::abs(straight - this->straight_) <= tolerance::Tie * size;
     const double least = shortest - ofCorner * tolerance::PlaceRounding * size;
-    if (!(isTie && !isAsStraight ? straight > this->straight_ : distance < least))
+    const bool isBetter = isTie && isNearSource ? distance < least
+      : isTie                                   ? straight > this->straight_
+                                                : distance < shortest;
+    if (!isBetter)
     {
       return false;
     }
