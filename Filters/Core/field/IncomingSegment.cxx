@@ -238,15 +238,12 @@ private:
     const double shortest = this->best_.distance;
     const double size = distance + this->faceSize_;
     const bool isTie = std::abs(distance - shortest) <= tolerance::Tie * size;
-    const int ofCorner =
-      (kind == Kind::Corner ? 1 : 0) - (this->best_.kind == Kind::Corner ? 1 : 0);
-    const bool isNearSource =
-      ofCorner != 0 && std::abs(straight - this->straight_) <= tolerance::Tie * size;
+    const double ofCorner =
+      (kind == Kind::Corner ? 1.0 : 0.0) - (this->best_.kind == Kind::Corner ? 1.0 : 0.0);
+    const bool isAsStraight = std::abs(straight - this->straight_) <= tolerance::Tie * size &&
+      (ofCorner != 0.0 || std::abs(distance - shortest) > 2.0 * tolerance::Rounding * size);
     const double least = shortest - ofCorner * tolerance::PlaceRounding * size;
-    const bool isBetter = isTie && isNearSource ? distance < least
-      : isTie                                   ? straight > this->straight_
-                                                : distance < shortest;
-    if (!isBetter)
+    if (!(isTie && !isAsStraight ? straight > this->straight_ : distance < least))
     {
       return false;
     }
