@@ -35,6 +35,10 @@ constexpr double LeastWidth = 4.0 * Rounding;
 /// carry the rounding of every unfolding on their way, and a tie must stay.
 constexpr double Tie = 1e-12;
 
+/// Of two ways to one place, within a tie, rounding alone tells which is shorter if their lengths
+/// differ by no more than this fraction: each is a sum.
+constexpr double SameLength = 2.0 * Rounding;
+
 /// Where two windows are cut against each other, distances that differ by no more than this
 /// fraction are equal: both carry the rounding of a sum and a root.
 constexpr double Evaluation = 8.0 * Rounding;

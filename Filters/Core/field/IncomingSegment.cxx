@@ -241,7 +241,7 @@ private:
     const double ofCorner =
       (kind == Kind::Corner ? 1.0 : 0.0) - (this->best_.kind == Kind::Corner ? 1.0 : 0.0);
     const bool isAsStraight = std::abs(straight - this->straight_) <= tolerance::Tie * size &&
-      (ofCorner != 0.0 || std::abs(distance - shortest) > 2.0 * tolerance::Rounding * size);
+      (ofCorner != 0.0 || std::abs(distance - shortest) > tolerance::SameLength * size);
     const double least = shortest - ofCorner * tolerance::PlaceRounding * size;
     if (!(isTie && !isAsStraight ? straight > this->straight_ : distance < least))
     {

@@ -135,9 +135,10 @@ private:
     for (const NearVertex& near : initial.nearVertices)
     {
       VertexState& state = this->vertices_[near.vertex];
-      const double rounding = tolerance::PlaceRounding *
-        (near.halfedge != NoId ? this->mesh_.length(near.halfedge) : 0.0);
-      if (near.halfedge == NoId || near.distance > state.distance + rounding)
+      const bool isNearest = near.hasFan() &&
+        near.distance <=
+          state.distance + tolerance::PlaceRounding * this->mesh_.length(near.halfedge);
+      if (!isNearest)
       {
         // Also vertices on a curve: a segment of a rounding's length may bound a wedge there.
         state.pseudoSource = TriangleMesh::PseudoSource::Irregular;

@@ -12,14 +12,14 @@ namespace geodesic
 struct NearVertex
 {
   Id vertex = NoId;
-  /// From the point. Infinite if the faces around the vertex are no fan, or not far larger.
+  /// From the point.
   double distance = Infinity;
   /// The straight line from the vertex over the point meets this halfedge, opposite the vertex, at
-  /// x.
+  /// x. NoId if the faces around the vertex are no fan, or not far larger than the distance.
   Id halfedge = NoId;
   double x = 0.0;
 
-  bool hasFan() const { return this->distance < Infinity; }
+  bool hasFan() const { return this->halfedge != NoId; }
 };
 
 /// \param corner at a vertex that is near the point.
