@@ -6,19 +6,91 @@
  * vtkGeodesicAlgorithm is the superclass of filters that take a surface on input port 0 and,
  * optionally, a source on input port 1, from which distances on the surface are measured. It reads
  * both, keeps the structure of the surface from one execution to the next, and turns what goes
- * wrong into VTK's errors with empty outputs. See vtkGeodesicDistanceField for what inputs may be.
+ * wrong into VTK's errors with empty outputs. What follows holds for all of these filters.
  *
+ * @par Surface (port 0):
+ * A vtkPolyData of polygons or strips, which are triangulated. It may have boundary and holes,
+ * several components, edges of three and more faces, vertices where several sheets meet, and
+ * inconsistent orientation. Lines and vertices are dropped with a warning, and so are faces with
+ * two equal corners. A vtkUnstructuredGrid of two-dimensional cells is a surface, too, as Clip,
+ * Threshold, Append Datasets and Redistribute DataSet make it: outputs that show the surface are a
+ * vtkPolyData then, with the points and the data of the grid, and cells are numbered as in the
+ * grid. Quadratic and other curved cells become triangles through all their points; a
+ * three-dimensional cell is an error that names it. Coordinates may have any size between 1e-290
+ * and 1e290.
+ *
+ * @par Source (port 1):
+ * Each polyline is a curve, as are lines that meet (see SetJoinLines()); each point of a vertex
+ * cell is a point source; polygons stand for their outlines. Data with vertex cells only, or
+ * without cells, are a set of points, each of which (of those that the vertex cells have) is a
+ * source of its own. A vtkUnstructuredGrid gives its lines and vertices, with a warning if it has
+ * other cells; any other vtkPointSet gives its points.
+ * @par
+ * A curve need not be made of mesh edges, nor lie on the surface exactly. Its points are put onto
+ * the closest points of the surface, and onto a vertex or an edge when within the precision of the
+ * coordinates. Consecutive points in one face are joined straight, others by the shortest path
+ * between them on the surface. So a section by vtkCutter, the lines of vtkFeatureEdges and a
+ * polyline drawn on the surface can all be used as they come. Where the surface touches or overlaps
+ * itself, several faces are equally close to a point: the filter takes those that consecutive
+ * points have in common, so that a section of the surface comes out as it went in. If a curve
+ * passes between sheets that are not connected, it is cut in two there.
+ *
+ * @par Composite inputs:
+ * Each port takes such a data set, or a vtkMultiBlockDataSet, vtkPartitionedDataSet or
+ * vtkPartitionedDataSetCollection of these, nested or with null and empty blocks. The blocks of a
+ * surface are one surface with one distance field: see SetMergeCoincidentPoints() for where they
+ * are joined. All blocks of a source are one source; ids of cells and points go on from block to
+ * block. A block of another type is an error that names it; the Extract Surface filter makes it
+ * usable.
+ * @par
+ * Cells that a ghost array marks as duplicates are not surface: they get the values, and the
+ * refinement, of what they duplicate. A duplicate without an original counts once. Hidden cells are
+ * holes.
+ *
+ * @par Execution:
+ * The structure of the surface is kept, so that executing again with another source costs only the
+ * propagation. It is built anew when coordinates, cells, barriers, ghost flags or global ids have
+ * changed (these are compared each time, also where nothing says that they were modified), not when
+ * other arrays have, and is released after each execution where ReleaseDataFlag is set. Inputs are
+ * never modified. Progress is reported, and abort is obeyed. The work is done on the threads that
+ * vtkSMPTools is set to use; the result is the same, to the last bit, for any number of threads.
+ *
+ * @par Errors and warnings:
  * Each thing that goes wrong gives one error, and all outputs are empty; of a composite surface
- * they have the blocks. The pipeline goes on: filters and views downstream take the empty outputs,
- * and the next execution without an error shows everywhere. Scripts find the error in
- * GetErrorCode() and GetErrorMessage().
- *
+ * they have the blocks. Cells that cannot be read, because offsets are missing, decrease or lead
+ * past the end of the point ids, are an error that names the first one. The pipeline goes on:
+ * filters and views downstream take the empty outputs, and the next execution without an error
+ * shows everywhere. Scripts find the error in GetErrorCode() and GetErrorMessage().
+ * @par
  * A warning, such as that the source or a target is farther than a hundredth of the surface's size
  * from it, is given when the execution before had no reason for it or something else has been
  * connected to the port that it is about: not at every time step.
  *
+ * @par Pieces:
+ * A piece of a surface has other distances than the whole. Whatever piece is asked for, in one
+ * process the filter asks for the whole of its inputs; piece 0 of its outputs has everything, and
+ * the others are empty, so that pieces that are written and read back hold each cell once.
+ *
+ * @par Ranks:
+ * If the controller (SetController()) has several processes, executing is collective: every rank
+ * executes, also one without cells. Each port is asked for this rank's piece, whatever piece is
+ * asked for downstream, and a rank's output is that of its own piece of the one surface. Ranks
+ * exchange what passes their seams: no rank needs memory for the whole surface, and distances are
+ * those of one process, to the last bits.
+ * - Points of different pieces are one as those of blocks are (SetMergeCoincidentPoints()), and if
+ *   their global ids are equal, where all pieces have these.
+ * - Ghost cells are treated as those of blocks, over all ranks. Boundary, counts and the numbers in
+ *   field data are those of the whole, the same on every rank.
+ * - Barriers count on all ranks, whichever has them.
+ * - Sources and targets of all ranks are gathered; ids follow the ranks, then the blocks and the
+ *   cells of each. What is the same on all ranks counts once. Rank 0 puts out what shows the
+ * source.
+ * - If one rank has the whole surface and the others have nothing, it works as a process alone; if
+ *   all have the same surface, each does.
+ * - An error on one rank is given by all, with one message; an abort on one aborts all.
+ *
  * @sa
- * vtkGeodesicDistanceField
+ * vtkGeodesicDistanceField vtkGeodesicContour vtkGeodesicPaths vtkGeodesicDistanceMatrix
  */
 
 #ifndef vtkGeodesicAlgorithm_h

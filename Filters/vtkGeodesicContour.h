@@ -19,7 +19,8 @@
  * faces around, so that lines join without a tolerance.
  *
  * @par Input:
- * That of vtkGeodesicDistanceField: port 0 takes the surface, port 1, optional, the source.
+ * Port 0 takes the surface, port 1, optional, the source: see vtkGeodesicAlgorithm, also for
+ * composite data, threads, pieces, ranks and errors.
  *
  * @par Output:
  * A vtkPolyData, also of composite inputs, with a polyline for each line; a closed one has its
@@ -40,14 +41,10 @@
  * a rounding of the distance, on the side that is nearer to the source.
  *
  * @par Execution:
- * As of vtkGeodesicDistanceField. The propagation stops beyond the largest value, and keeps windows
- * only of faces that may hold a value. It runs, like the drawing, on the threads that vtkSMPTools
- * is set to use, with the same result for any number of them.
- *
- * @par Ranks:
- * With several MPI ranks executing is collective, as of vtkGeodesicDistanceField. Each rank has the
- * lines in its piece of the surface; they end at seams, where those of another rank go on from
- * points with the same coordinates. The source itself, at a value of 0, is on rank 0.
+ * The propagation stops beyond the largest value, and keeps windows only of faces that may hold a
+ * value. On several ranks each has the lines in its piece of the surface; they end at seams, where
+ * those of another rank go on from points with the same coordinates. The source itself, at a value
+ * of 0, is on rank 0.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal

@@ -19,9 +19,9 @@
  * shorter. Shortest paths bend only at vertices of negative curvature and at reflex corners of the
  * boundary: there the front emits circular windows anew. The result is exact up to the rounding of
  * double-precision numbers, on any triangulation: accuracy does not depend on the shape or size of
- * the triangles. Of Xin and Wang (2009) come the tests by which windows are dropped that a path
- * through a vertex beats, of Qin et al. (2016) the order of the front by vertices, which handles
- * the windows around a vertex together.
+ * the triangles. The tests that drop a window when a path through a vertex beats it come from Xin
+ * and Wang (2009), the order of the front by vertices, which handles the windows around a vertex
+ * together, from Qin et al. (2016).
  *
  * @par
  * In approximate mode (SetAccuracy()) neighboring windows are merged as long as that makes no
@@ -38,55 +38,9 @@
  * second bound is against the computed field, so that the two bounds add up: the output differs
  * from the exact distance d by at most RelativeErrorBound * d + InterpolationErrorBound.
  *
- * @par
- * A curve need not be made of mesh edges, nor lie on the surface exactly. Its points are put onto
- * the closest points of the surface, and onto a vertex or an edge when within the precision of the
- * coordinates. Consecutive points in one face are joined straight, others by the shortest path
- * between them on the surface. So a section by vtkCutter, the lines of vtkFeatureEdges and a
- * polyline drawn on the surface can all be used as they come.
- *
  * @par Input:
- * Port 0 takes the surface. It may have boundary and holes, several components, edges of three and
- * more faces, vertices where several sheets meet, and inconsistent orientation. Polygons and strips
- * are triangulated; lines and vertices are dropped with a warning; faces with two equal corners are
- * left out with a warning. A vtkUnstructuredGrid of two-dimensional cells is a surface, too, as it
- * comes from Clip, Threshold, Append Datasets or Redistribute DataSet: the output is a vtkPolyData
- * then, with the points and the data of the grid, and cells are numbered as in the grid. Its
- * quadratic and other curved cells become triangles through all their points; a three-dimensional
- * cell is an error that names it. Port 1, optional, takes the source: each polyline is a curve, as
- * are lines that meet (see SetJoinLines()), each point of a vertex cell is a point source, polygons
- * stand for their outlines. Data with vertex cells only, or without cells, are a set of points,
- * each of which (of those that the vertex cells have) is a source of its own. Of a
- * vtkUnstructuredGrid the lines and vertices count, other cells are left out with a warning; any
- * other vtkPointSet than that and vtkPolyData gives its points. Cells that cannot be read, because
- * offsets are missing, decrease or lead past the end of the point ids, are an error that names the
- * first one. Inputs are never modified.
- *
- * @par Composite inputs:
- * Each port takes such a data set, or a vtkMultiBlockDataSet, vtkPartitionedDataSet or
- * vtkPartitionedDataSetCollection of these, nested or with null and empty blocks. The blocks of a
- * surface are one surface with one distance field: with MergeCoincidentPoints they are joined where
- * points coincide, on the boundaries of two blocks also where they differ by a few roundings of
- * their coordinates. All blocks of a source are one source, and give one surface. Blocks of another
- * type are an error that names the block; the Extract Surface filter makes them usable.
- * @par
- * Cells that a ghost array marks as duplicates are not surface: they get the values, and the
- * refinement, of what they duplicate. A duplicate without an original counts once. Hidden cells are
- * holes.
- *
- * @par Barriers:
- * Faces that BarrierArrayName marks are there but cannot be entered: paths go around them, or along
- * their rims. In the output they have all their cells and points. Points that belong to barriers
- * only are infinitely far; barriers are not refined, but cut where refinement has split their rims,
- * and what is certified is so outside of them.
- *
- * @par
- * Where the surface touches or overlaps itself, a point of a curve is equally close to several
- * faces: those are taken that consecutive points have in common, so that a section of the surface
- * comes out as it went in. Where a curve passes between sheets that are not connected, it is cut in
- * two there.
- * @par
- * Coordinates may have any size between 1e-290 and 1e290; beyond that there is an error.
+ * Port 0 takes the surface, port 1, optional, the source: see vtkGeodesicAlgorithm, also for
+ * composite data, threads, pieces, ranks and errors.
  *
  * @par Output:
  * Port 0 has the surface as triangles, with all points of the input, unchanged (unless they are
@@ -108,54 +62,17 @@
  * Point data is interpolated linearly to new points, in the face; strings, ids (vtkIdTypeArray and
  * pedigree ids) and bits are those of the nearest corner, a new point is a ghost in the ways that
  * all corners around it are, and global ids are dropped. Cell data is handed down to the parts of a
- * cell. The points of a refined output are double: see SetOutputPointsPrecision(). Triangles that
- * are not reached or lie wholly beyond MaximumDistance are not refined, but closed against refined
- * neighbors. Where several points of the input are at one place (see MergeCoincidentPoints), a
- * split edge between them has as many points as it had on the input; where blocks meet, these have
- * the same coordinates and distances on both sides. Faces on the same points as another are refined
- * like it.
+ * cell. Triangles that are not reached or lie wholly beyond MaximumDistance are not refined, but
+ * closed against refined neighbors. Barriers are not refined either, but cut where refinement has
+ * split their rims. Where several points of the input are at one place (see
+ * MergeCoincidentPoints), a split edge between them has as many points as it had on the input;
+ * where blocks or pieces of ranks meet, these have the same coordinates and distances on both
+ * sides. Faces on the same points as another are refined like it.
  * @par
  * Port 1 has the source as it lies on the surface: polylines with a point at every mesh edge that
  * they cross, and a vertex for each point source, with the cell data array `SourceId`: the part of
  * the source that each comes from, as SetGenerateSourceIds() numbers them; with
  * SetGenerateSourceArcLength() also with the point data array `SourceArcLength`.
- *
- * @par Execution:
- * The structure of the surface is kept, so that executing again with another source costs only the
- * propagation. It is built anew when coordinates, cells, barriers, ghost flags or global ids have
- * changed (these are compared each time, also where nothing says that they were modified), not when
- * other arrays have, and is released after each execution where ReleaseDataFlag is set. Progress is
- * reported, and abort is obeyed. After an abort or an error, such as that memory has run out, both
- * outputs are empty.
- *
- * @par Threads:
- * The structure of the surface, the propagation, refinement and the output's points with their
- * arrays are made on the threads that vtkSMPTools is set to use; cell data is copied on one. The
- * result is the same, to the last bit, for any number of threads.
- *
- * @par Pieces:
- * A piece of a surface has other distances than the whole. Whatever piece is asked for, the filter
- * asks for the whole of its inputs; piece 0 of its outputs has everything, and the others are
- * empty, so that pieces that are written and read back hold each cell once.
- *
- * @par Ranks:
- * Where the controller (SetController()) has several processes, executing is collective: every rank
- * executes, also one without cells. Each port is asked for this rank's piece, whatever piece is
- * asked for downstream, and output port 0 has the rank's own piece, with its points and arrays, of
- * the one distance field over all pieces. Ranks exchange what passes their seams: no rank needs
- * memory for the whole surface, and distances are those of one process, to the last bits.
- * - Points of different pieces are one where their coordinates are equal or, on the boundaries of
- *   both, differ by a few roundings (with MergeCoincidentPoints; GetSeamPointsJoined() counts the
- *   latter), and where their global ids are equal, if all pieces have these.
- * - Ghost cells are treated as those of blocks, over all ranks. Boundary, counts and the numbers in
- *   field data are those of the whole, the same on every rank.
- * - Barriers count on all ranks, whichever has them; where a rank's faces are beside another's
- *   barriers, these are cut where the rims are split.
- * - Sources of all ranks are gathered; ids follow the ranks, then the blocks and the cells of each.
- *   Where all ranks have the same source it counts once. Port 1 is put out by rank 0.
- * - Where one rank has the whole surface and the others have nothing it works as a process alone,
- *   and where all have the same surface each does.
- * - An error on one rank is given by all, with one message; an abort on one aborts all.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal

@@ -7,9 +7,9 @@
  * its source is one polyline, open or closed, whose points are properties of the filter. So a
  * widget with which a curve is drawn in a view can be tied to the filter directly, as ParaView does
  * it. The points need not lie on the surface: each is put onto the closest point of the surface,
- * with a warning if that is over half of the surface's diagonal away, and consecutive ones are joined
- * by the shortest path between them on the surface. One point is a point source; without points there
- * is an error, unless the boundary is the source.
+ * with a warning if that is over half of the surface's diagonal away, and consecutive ones are
+ * joined by the shortest path between them on the surface. One point is a point source; without
+ * points there is an error, unless the boundary is the source.
  *
  * The polyline is on input port 1: do not connect anything else there.
  *

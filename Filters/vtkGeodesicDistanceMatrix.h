@@ -15,15 +15,14 @@
  * surface in common; each of the threads takes the memory of one solve.
  *
  * @par Input:
- * Port 0 takes the surface, as vtkGeodesicDistanceField does. Port 1 takes the sources: each cell
- * of a vtkPolyData is one (a line with those that it is joined to, a polyline, a polygon, which
- * stands for its outline, or a vertex cell with all its points); where there are no cells, or
- * vertex cells only, each point (of the vertex cells) is one. With SourceType the boundary of the
- * surface takes their place or comes in addition, each of its loops as a source of its own. Port 2,
- * optional, takes the targets: every point of a vtkPointSet, put onto the closest point of the
- * surface, with a warning where that is far. Where it is not connected the targets are all points
- * of port 1. Each port takes composite data sets too, whose blocks count one after another. Inputs
- * are never modified.
+ * Port 0 takes the surface: see vtkGeodesicAlgorithm, also for composite data, pieces and errors.
+ * Port 1 takes the sources: each cell of a vtkPolyData is one (a line with those that it is joined
+ * to, a polyline, a polygon, which stands for its outline, or a vertex cell with all its points);
+ * where there are no cells, or vertex cells only, each point (of the vertex cells) is one. With
+ * SourceType the boundary of the surface takes their place or comes in addition, each of its loops
+ * as a source of its own. Port 2, optional, takes the targets: every point of a vtkPointSet, put
+ * onto the closest point of the surface, with a warning where that is far. Where it is not
+ * connected the targets are all points of port 1.
  *
  * @par Output:
  * A vtkTable with one row a target, in their order, and the columns
@@ -35,14 +34,9 @@
  * beyond MaximumDistance, and for a cell without points.
  *
  * @par Execution:
- * The structure of the surface is kept between executions, progress is reported, abort is obeyed,
- * and pieces and composite surfaces are handled as by vtkGeodesicDistanceField. The numbers are the
- * same, to the last bit, for any number of threads and whatever other sources and targets there
- * are. After an abort or an error the output is empty.
- *
- * @par Ranks:
- * With several MPI ranks executing is collective: sources and targets are gathered, and rank 0 has
- * the rows. The whole surface must be on one rank, or on each; one that is distributed is an error.
+ * The numbers are the same, to the last bit, for any number of threads and whatever other sources
+ * and targets there are. On several ranks rank 0 has the rows; the whole surface must be on one
+ * rank, or on each: one that is distributed is an error.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal

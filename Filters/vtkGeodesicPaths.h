@@ -18,12 +18,12 @@
  * found again through the windows of the few faces around it.
  *
  * @par Input:
- * Port 0 takes the surface and port 1, optional, the source, as vtkGeodesicDistanceField does. Port
- * 2 takes the targets: every point of a vtkPolyData or other vtkPointSet is one, whatever its cells
- * are, of all blocks where it is a composite data set. A target may be anywhere; it is put onto the
- * closest point of the surface, with a warning where that is farther than a hundredth of the
- * surface's size, and onto a vertex or an edge when within the precision of its coordinates. Inputs
- * are never modified.
+ * Port 0 takes the surface, port 1, optional, the source: see vtkGeodesicAlgorithm, also for
+ * composite data, threads, pieces, ranks and errors. Port 2 takes the targets: every point of a
+ * vtkPolyData or other vtkPointSet is one, whatever its cells are, of all blocks where it is a
+ * composite data set. A target may be anywhere; it is put onto the closest point of the surface,
+ * with a warning where that is farther than a hundredth of the surface's size, and onto a vertex or
+ * an edge when within the precision of its coordinates.
  *
  * @par Output:
  * A vtkPolyData with one polyline for each target that is reached, in the order of the targets,
@@ -50,16 +50,9 @@
  * line; one warning counts them.
  *
  * @par Execution:
- * The structure of the surface is kept between executions, progress is reported, abort is obeyed,
- * and threads, pieces and composite surfaces are handled as by vtkGeodesicDistanceField. The output
- * is the same, to the last bit, for any number of threads, and each path the same whatever other
- * targets there are. After an abort or an error the output is empty.
- *
- * @par Ranks:
- * With several MPI ranks executing is collective, as of vtkGeodesicDistanceField. Targets of all
- * ranks are gathered and numbered as sources are; a path, which may run over all pieces of the
- * surface, is put out by the rank where its target was, by rank 0 where all had the same targets,
- * whether the surface is in pieces, on one rank or on every rank.
+ * Each path is the same whatever other targets there are. On several ranks a path, which may run
+ * over all pieces of the surface, is put out by the rank where its target was, by rank 0 where all
+ * had the same targets, whether the surface is in pieces, on one rank or on every rank.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
