@@ -20,6 +20,8 @@ namespace geodesic
 using Id = std::uint32_t;
 
 constexpr Id NoId = std::numeric_limits<Id>::max();
+/// The number of vertices that a surface may have: RayOrigin has 31 bits for their ids.
+constexpr Id MaximumVertices = 0x7fffffffU;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 constexpr double Pi = 3.14159265358979323846;

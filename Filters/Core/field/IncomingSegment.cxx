@@ -133,11 +133,11 @@ public:
     {
       const Triangle& corners = this->mesh_.triangle(this->face_);
       const auto corner = std::find_if(corners.begin(), corners.end() - 1,
-        [&](Id c) { return this->field_.surface().globalId(c) == arrival.origin; });
+        [&](Id c) { return this->originAt(c) == arrival.origin; });
       this->best_.kind = Kind::Corner;
       this->best_.ray =
         this->rayFrom(cornerWeights(static_cast<std::size_t>(corner - corners.begin())));
-      this->best_.place = arrival.place;
+      this->best_.start = arrival.start;
       this->setCorner(*corner);
       return;
     }
@@ -146,7 +146,7 @@ public:
     this->best_.kind = Kind::Window;
     this->best_.ray = { arrival.halfedge, false, arrival.x, way.direction };
     this->best_.origin = arrival.origin;
-    this->best_.place = arrival.place;
+    this->best_.start = arrival.start;
     this->best_.rayOfWindow = way.isBent ? arrival.direction : way.direction;
     const Id corner = cornerCrossed(this->mesh_, arrival);
     if (way.isBent && corner != NoId)
@@ -225,7 +225,7 @@ private:
       const IncomingRay ray = { way.halfedge, false, way.x, from.direction };
       this->best_.ray = way.isBehind ? acrossEdge(this->mesh_, ray) : ray;
       this->best_.origin = w.origin;
-      this->best_.place = w.placeOf({ way.x, 0.0 });
+      this->best_.start = w.startOf({ way.x, 0.0 });
       this->best_.rayOfWindow = from.isBent ? throughWindow : from.direction;
     }
   }
@@ -257,7 +257,11 @@ private:
   void setCorner(Id corner)
   {
     this->corner_ = corner;
-    this->best_.origin = this->field_.surface().globalId(corner);
+    this->best_.origin = this->originAt(corner);
+  }
+  RayOrigin originAt(Id vertex) const
+  {
+    return RayOrigin::vertex(this->field_.surface().globalId(vertex));
   }
 
   IncomingRay rayFrom(const Barycentric& begin) const

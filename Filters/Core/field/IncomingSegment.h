@@ -32,10 +32,10 @@ struct IncomingSegment
   /// window, the ray crosses it.
   IncomingRay ray;
   /// The corner (MeshPartition::globalId()) or the window's origin (Window::origin). Of a window
-  /// also the place of the ray (Window::placeOf()), and the ray in the frame of the window's
+  /// also the start of the ray (Window::startOf()), and the ray in the frame of the window's
   /// halfedge.
-  Id origin = NoId;
-  double place = 0.0;
+  RayOrigin origin = {};
+  RayStart start = {};
   Vec2 rayOfWindow = {};
   /// The source, and how far along it the piece begins: nearestAlongSource().
   SourceInFace source;

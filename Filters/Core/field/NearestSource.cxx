@@ -13,7 +13,7 @@ namespace geodesic
 namespace
 {
 
-using Origins = std::unordered_map<Id, CurveOrigin>;
+using Origins = std::unordered_map<Id, PathOrigin>;
 
 // Each round doubles the length, so that no chain of vertices needs more rounds. Origins that are
 // open after these rounds are vertices at one place that name each other.
@@ -24,21 +24,21 @@ Origins openOrigins(const DistanceField& field)
 {
   const MeshPartition& part = field.surface();
   Origins origins;
-  const auto add = [&](Id number)
+  const auto add = [&](RayOrigin origin)
   {
-    if (number < part.numberOfGlobalVertices() && part.countedVertex(number) == NoId)
+    if (origin.isVertex() && part.countedVertex(origin.vertex()) == NoId)
     {
-      origins[number] = { number };
+      origins[origin.vertex()] = { origin };
     }
   };
   for (Id vertex = 0; vertex < part.mesh().numberOfVertices(); ++vertex)
   {
-    add(part.globalId(vertex));
+    add(RayOrigin::vertex(part.globalId(vertex)));
     add(field.arrivals()[vertex].origin);
   }
   for (Id halfedge = 3 * part.firstOwnFace(); halfedge < 3 * part.endOfOwnFaces(); ++halfedge)
   {
-    Id last = NoId; // windows of one origin often stand together
+    RayOrigin last; // windows of one origin often stand together
     for (const Window& window : field.windowsOn(halfedge))
     {
       if (window.origin != last)
@@ -61,51 +61,47 @@ Origins openOrigins(const DistanceField& field)
 ///
 /// \param field on this rank's part, with arrivals.
 /// \param atVertices for each vertex of the part. Of a vertex counted here: its origin on the
-///        source, as in Window; NoId if there is none; or, still open, the vertex counted elsewhere
-///        that its path comes from. Open origins are replaced, those of vertices counted elsewhere
-///        are set.
-/// \returns the origins by the vertices' global ids; NoId for paths without one.
-Origins originsElsewhere(const DistanceField& field, std::vector<CurveOrigin>& atVertices)
+///        source, if it has one, or, still open, the vertex counted elsewhere that its path comes
+///        from. Open origins are replaced, those of vertices counted elsewhere are set.
+/// \returns the origins by the vertices' global ids; paths may have none.
+Origins originsElsewhere(const DistanceField& field, std::vector<PathOrigin>& atVertices)
 {
   const MeshPartition& part = field.surface();
   Exchange& exchange = part.exchange();
   Origins elsewhere = openOrigins(field);
-  const auto isOpen = [&](const CurveOrigin& origin)
-  { return origin.origin < part.numberOfGlobalVertices(); };
+  const auto isOpen = [](const PathOrigin& path) { return path.origin.isVertex(); };
   const auto isOpenEntry = [&](const Origins::value_type& entry) { return isOpen(entry.second); };
+  // What is known elsewhere of the vertex that an open origin names.
+  const auto known = [&](const PathOrigin& path)
+  { return isOpen(path) ? elsewhere[path.origin.vertex()] : path; };
   for (int steps = 0; steps < MaximumSteps &&
        exchange.isTrueAnywhere(std::any_of(elsewhere.begin(), elsewhere.end(), isOpenEntry));
        ++steps)
   {
     Questions questions(exchange);
-    std::vector<CurveOrigin*> asked;
-    for (auto& [number, origin] : elsewhere)
+    std::vector<PathOrigin*> asked;
+    for (auto& [number, path] : elsewhere)
     {
-      if (isOpen(origin))
+      if (isOpen(path))
       {
-        questions.ask(part.rankCounting(origin.origin), asked.size(), origin.origin);
-        asked.push_back(&origin);
+        const Id vertex = path.origin.vertex();
+        questions.ask(part.rankCounting(vertex), asked.size(), vertex);
+        asked.push_back(&path);
       }
     }
-    questions.exchangeAnswers(
-      [&](MessageReader& question, Message& answer)
-      {
-        const CurveOrigin& origin = atVertices[part.countedVertex(question.get<Id>())];
-        put(answer, isOpen(origin) ? elsewhere[origin.origin] : origin);
-      },
-      [&](std::size_t i, MessageReader& answer) { *asked[i] = answer.get<CurveOrigin>(); });
+    questions.exchangeAnswers([&](MessageReader& question, Message& answer)
+      { put(answer, known(atVertices[part.countedVertex(question.get<Id>())])); },
+      [&](std::size_t i, MessageReader& answer) { *asked[i] = answer.get<PathOrigin>(); });
   }
-  for (auto& [number, origin] : elsewhere)
+  for (auto& [number, path] : elsewhere)
   {
-    origin = isOpen(origin) ? CurveOrigin() : origin;
+    path = isOpen(path) ? PathOrigin() : path;
   }
   for (Id vertex = 0; vertex < atVertices.size(); ++vertex)
   {
     const Id number = part.globalId(vertex);
-    CurveOrigin& origin = atVertices[vertex];
-    origin = part.countedVertex(number) == NoId ? elsewhere[number]
-      : isOpen(origin)                          ? elsewhere[origin.origin]
-                                                : origin;
+    PathOrigin& path = atVertices[vertex];
+    path = part.countedVertex(number) == NoId ? elsewhere[number] : known(path);
   }
   return elsewhere;
 }
@@ -117,8 +113,6 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
   : field_(field)
   , mesh_(field.mesh())
   , curves_(patch, curves)
-  , firstPoint_(PointSide::first(field.surface().numberOfGlobalVertices(),
-      static_cast<Id>(this->curves_.chains().curves().size())))
   , origins_(field.mesh().numberOfVertices())
   , sectors_(patch.mesh())
   , directions_(patch.mesh())
@@ -129,7 +123,7 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
     const Id vertex = part.countedVertex(patch.globalId(on.vertex));
     if (vertex != NoId)
     {
-      this->origins_[vertex] = this->atPoint({ on.curve, false }, on.place, Infinity);
+      this->origins_[vertex] = this->atPoint({ on.curve, false, on.place }, Infinity);
     }
   }
   for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)
@@ -158,7 +152,7 @@ IncomingSegment NearestSource::originTo(Id vertex) const
   IncomingSegment piece;
   piece.kind = IncomingSegment::Kind::Window;
   piece.origin = arrival.origin;
-  piece.place = arrival.place;
+  piece.start = arrival.start;
   piece.rayOfWindow = arrival.direction;
   return piece;
 }
@@ -169,8 +163,8 @@ IncomingSegment NearestSource::originTo(Id vertex) const
 void NearestSource::follow(Id vertex)
 {
   std::vector<Id> way;
-  CurveOrigin found = this->origins_[vertex];
-  while (found.origin == NoId)
+  PathOrigin found = this->origins_[vertex];
+  while (!found.origin.isKnown())
   {
     const IncomingSegment piece = this->originTo(vertex);
     way.push_back(vertex);
@@ -179,7 +173,7 @@ void NearestSource::follow(Id vertex)
       found = this->originOf(piece);
       break;
     }
-    vertex = this->field_.surface().countedVertex(piece.origin);
+    vertex = this->field_.surface().countedVertex(piece.origin.vertex());
     if (vertex == NoId)
     {
       found = { piece.origin };
@@ -201,11 +195,11 @@ void NearestSource::follow(Id vertex)
 bool NearestSource::isFromCurve(const IncomingSegment& piece) const
 {
   return piece.kind == IncomingSegment::Kind::Corner
-    ? this->onCurveAt(piece.origin) != nullptr
-    : piece.kind != IncomingSegment::Kind::Window || this->isOnCurve(piece.origin);
+    ? this->onCurveAt(piece.origin.vertex()) != nullptr
+    : piece.kind != IncomingSegment::Kind::Window || piece.origin.isOnCurve();
 }
 
-CurveOrigin NearestSource::originOf(const IncomingSegment& piece)
+PathOrigin NearestSource::originOf(const IncomingSegment& piece)
 {
   if (piece.kind == IncomingSegment::Kind::None)
   {
@@ -215,29 +209,28 @@ CurveOrigin NearestSource::originOf(const IncomingSegment& piece)
   {
     return this->atSource(piece);
   }
-  if (this->isPoint(piece.origin))
+  const RayOrigin origin = piece.origin;
+  if (origin.isPoint())
   {
-    const PointSide at = PointSide::of(piece.origin, this->firstPoint_);
-    return { PointSide{ at.point, at.isRight }.origin(this->firstPoint_),
-      angleAround(piece.origin, piece.place, piece.rayOfWindow) };
+    return { origin, RayStart::atAngle(angleAround(origin, piece.start, piece.rayOfWindow)) };
   }
-  if (this->isOnCurve(piece.origin))
+  if (origin.isOnCurve())
   {
-    return { piece.origin, piece.place };
+    return { origin, piece.start };
   }
   const VertexOnCurve* on =
-    piece.kind == IncomingSegment::Kind::Corner ? this->onCurveAt(piece.origin) : nullptr;
+    piece.kind == IncomingSegment::Kind::Corner ? this->onCurveAt(origin.vertex()) : nullptr;
   if (on != nullptr)
   {
     this->goToVertex(on->vertex);
     return this->inSector(piece);
   }
-  return this->ofVertex(piece.origin);
+  return this->ofVertex(origin.vertex());
 }
 
 // Beside a segment the segment's line separates the sides, at its ends the segments that meet there
 // do.
-CurveOrigin NearestSource::atSource(const IncomingSegment& piece)
+PathOrigin NearestSource::atSource(const IncomingSegment& piece)
 {
   const SourceInFace& source = piece.source;
   if (piece.along > 0.0 && piece.along < 1.0)
@@ -245,8 +238,8 @@ CurveOrigin NearestSource::atSource(const IncomingSegment& piece)
     const double place = source.placeOfA + piece.along * (source.placeOfB - source.placeOfA);
     const Vec2 along = inHalfedgeFrame(this->mesh_, piece.ray.halfedge, source.b) -
       inHalfedgeFrame(this->mesh_, piece.ray.halfedge, source.a);
-    const CurveSide side = { source.curve, cross(along, piece.ray.direction) < 0.0 };
-    return { side.origin(this->field_.surface().numberOfGlobalVertices()), place };
+    const bool isRight = cross(along, piece.ray.direction) < 0.0;
+    return { RayOrigin::curveSide(source.curve, isRight), RayStart::atPlace(place) };
   }
   const double place = piece.along > 0.0 ? source.placeOfB : source.placeOfA;
   this->goToPoint(this->curves_.chains().pointAt(source.curve, place));
@@ -254,26 +247,25 @@ CurveOrigin NearestSource::atSource(const IncomingSegment& piece)
 }
 
 // The curve and the side to which the piece's direction belongs at the current point.
-CurveOrigin NearestSource::inSector(const IncomingSegment& piece) const
+PathOrigin NearestSource::inSector(const IncomingSegment& piece) const
 {
   const Id face = this->curves_.patch().faceAt(
     this->field_.surface().addressOf(TriangleMesh::faceOf(piece.ray.halfedge)));
   const Id halfedge = 3 * face + piece.ray.halfedge % 3;
-  const CurveOrigin onPatch = this->sectors_.of(halfedge, piece.ray.direction);
-  const CurveSide side = CurveSide::of(onPatch.origin, this->meshOfCurves().numberOfVertices());
+  const PlaceOnSide side = this->sectors_.of(halfedge, piece.ray.direction);
   double around = Infinity;
   if (this->field_.hasAngles() && dot(piece.ray.direction, piece.ray.direction) > 0.0)
   {
-    this->goAround(this->curves_.chains().pointAt(side.curve, onPatch.place));
+    this->goAround(this->curves_.chains().pointAt(side.curve, side.place));
     around = this->directions_.around(halfedge, piece.ray.direction);
   }
-  return this->atPoint(side, onPatch.place, around);
+  return this->atPoint(side, around);
 }
 
-CurveOrigin NearestSource::atPoint(const CurveSide& side, double place, double around) const
+PathOrigin NearestSource::atPoint(const PlaceOnSide& side, double around) const
 {
-  const PointSide point = { this->curves_.chains().pointAt(side.curve, place), side.isRight };
-  return { point.origin(this->firstPoint_), around };
+  const Id point = this->curves_.chains().pointAt(side.curve, side.place);
+  return { RayOrigin::pointSide(point, side.isRight), RayStart::atAngle(around) };
 }
 
 void NearestSource::goAround(Id number) const
@@ -286,7 +278,7 @@ void NearestSource::goAround(Id number) const
   }
 }
 
-CurveOrigin NearestSource::ofVertex(Id globalId) const
+PathOrigin NearestSource::ofVertex(Id globalId) const
 {
   const Id vertex = this->field_.surface().countedVertex(globalId);
   if (vertex != NoId)
@@ -294,7 +286,7 @@ CurveOrigin NearestSource::ofVertex(Id globalId) const
     return this->origins_[vertex];
   }
   const auto found = this->elsewhere_.find(globalId);
-  return found != this->elsewhere_.end() ? found->second : CurveOrigin();
+  return found != this->elsewhere_.end() ? found->second : PathOrigin();
 }
 
 const VertexOnCurve* NearestSource::onCurveAt(Id globalId) const
@@ -327,26 +319,29 @@ void NearestSource::goToPoint(Id number)
   this->sectorsVertex_ = NoId;
 }
 
-Foot NearestSource::footOf(const CurveOrigin& origin) const
+Foot NearestSource::footOf(const PathOrigin& path) const
 {
-  if (origin.origin == NoId)
+  Foot foot;
+  if (!path.origin.isKnown())
   {
-    return {};
+    return foot;
   }
-  CurveSide side = CurveSide::of(origin.origin, this->field_.surface().numberOfGlobalVertices());
-  double place = origin.place;
-  double around = std::numeric_limits<double>::quiet_NaN();
-  if (this->isPoint(origin.origin))
+  const CurveChains& chains = this->curves_.chains();
+  if (path.origin.isPoint())
   {
-    const PointSide at = PointSide::of(origin.origin, this->firstPoint_);
-    const CurveChains::Point point = this->curves_.chains().pointWith(at.point);
-    side = { point.chain, at.isRight };
-    place = this->curves_.chains().places(point.chain)[point.i];
-    around = origin.place;
+    const CurveChains::Point point = chains.pointWith(path.origin.point());
+    foot.chain = point.chain;
+    foot.place = chains.places(point.chain)[point.i];
+    foot.around = path.start.angle();
   }
-  const Id curve = this->curves_.chains().curveAt(side.curve, place);
-  return { curve, side.isRight != this->curves_.chains().partOf(curve).isReversed, side.curve,
-    place, around };
+  else
+  {
+    foot.chain = path.origin.curve();
+    foot.place = path.start.place();
+  }
+  foot.curve = chains.curveAt(foot.chain, foot.place);
+  foot.isRight = path.origin.isRight() != chains.partOf(foot.curve).isReversed;
+  return foot;
 }
 
 SurfacePoint NearestSource::pointOf(const Foot& foot) const

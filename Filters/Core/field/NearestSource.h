@@ -35,6 +35,15 @@ struct Foot
   bool isKnown() const { return this->curve != NoId; }
 };
 
+/// Where on the source a path begins: on a side of a curve, or at a curve's point, where the start
+/// is the path's own angle (Foot::around). While ranks ask each other, the origin may also be a
+/// vertex that another rank counts, and is open.
+struct PathOrigin
+{
+  RayOrigin origin = {};
+  RayStart start = {};
+};
+
 /// Finds the nearest source of any point whose distance is known. Windows store their origins; a
 /// path that comes from a pseudo-source has the foot of the pseudo-source. If several shortest
 /// paths tie, the foot is that of one of them.
@@ -110,33 +119,25 @@ private:
   IncomingSegment originTo(Id vertex) const;
   void follow(Id vertex);
   bool isFromCurve(const IncomingSegment& piece) const;
-  CurveOrigin originOf(const IncomingSegment& piece);
-  CurveOrigin atSource(const IncomingSegment& piece);
-  CurveOrigin inSector(const IncomingSegment& piece) const;
-  CurveOrigin atPoint(const CurveSide& side, double place, double around) const;
-  bool isOnCurve(Id origin) const
-  {
-    return CurveSide::isOne(origin, this->field_.surface().numberOfGlobalVertices());
-  }
-  bool isPoint(Id origin) const { return CurveSide::isOne(origin, this->firstPoint_); }
+  PathOrigin originOf(const IncomingSegment& piece);
+  PathOrigin atSource(const IncomingSegment& piece);
+  PathOrigin inSector(const IncomingSegment& piece) const;
+  PathOrigin atPoint(const PlaceOnSide& side, double around) const;
   void goAround(Id point) const;
-  CurveOrigin ofVertex(Id globalId) const;
+  PathOrigin ofVertex(Id globalId) const;
   const VertexOnCurve* onCurveAt(Id globalId) const;
   void goToVertex(Id vertex);
   void goToPoint(Id point);
-  Foot footOf(const CurveOrigin& origin) const;
+  Foot footOf(const PathOrigin& path) const;
 
   const DistanceField& field_;
   const TriangleMesh& mesh_;
-  /// Windows have the numbers of its chains.
+  /// The origins of windows have the numbers of these curves' chains.
   CurvesOnPatch curves_;
-  /// PointSide::first() of the windows' origins.
-  Id firstPoint_;
-  /// The origin of each vertex, with global ids. An origin that is a vertex is open: see
-  /// originsElsewhere().
-  std::vector<CurveOrigin> origins_;
+  /// The origin of the path to each vertex.
+  std::vector<PathOrigin> origins_;
   /// Those of vertices that other ranks count, by their global ids; none in one process.
-  std::unordered_map<Id, CurveOrigin> elsewhere_;
+  std::unordered_map<Id, PathOrigin> elsewhere_;
   /// Around the curve's point that was asked for last, and its vertex; NoId if it is at none.
   CurveSectors sectors_;
   Id sectorsVertex_ = NoId;

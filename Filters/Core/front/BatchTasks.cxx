@@ -20,7 +20,7 @@ DistanceUpdate arrivalThrough(
   const Window& w = *path.nearest;
   const double x = w.crossing(apex);
   return { mesh.opposite(halfedge), path.distance, w.error,
-    { halfedge, w.origin, x, w.directionTo(apex, x), w.placeOf({ x, 0.0 }) } };
+    { halfedge, w.origin, x, w.directionTo(apex, x), w.startOf({ x, 0.0 }) } };
 }
 
 double leastDistance(const WindowRange& windows)
@@ -120,13 +120,13 @@ void relaxEdges(BatchTasks& tasks, District& district, Id vertex)
 {
   const double distance = tasks.vertices.distance(vertex);
   const double error = tasks.vertices.error(vertex);
-  const Id number = tasks.surface.globalId(vertex);
+  const RayOrigin origin = RayOrigin::vertex(tasks.surface.globalId(vertex));
   const auto relax = [&](Id halfedge, Id other, Id opposite, double x)
   {
     const double along = distance + tasks.mesh.length(halfedge);
     if (tasks.vertices.isImprovedBy(other, along))
     {
-      sendUpdate(tasks, district, { other, along, error, { opposite, number, x, {} } });
+      sendUpdate(tasks, district, { other, along, error, { opposite, origin, x, {} } });
     }
   };
   for (const Id corner : tasks.mesh.cornersAt(vertex))
@@ -158,7 +158,7 @@ void emitThrough(BatchTasks& tasks, FrontWorker& worker, District& district, Id 
   w.begin = length - interval.end;
   w.end = length - interval.begin;
   w.error = tasks.vertices.error(vertex);
-  w.origin = tasks.surface.globalId(vertex);
+  w.origin = RayOrigin::vertex(tasks.surface.globalId(vertex));
   const double atBegin = tasks.vertices.distance(tasks.mesh.destination(halfedge));
   const double atEnd = tasks.vertices.distance(tasks.mesh.origin(halfedge));
   if (!isBeaten(w, w.end, atBegin + w.end) && !isBeaten(w, w.begin, atEnd + (length - w.begin)))
@@ -515,10 +515,9 @@ void BatchTasks::send(
     if (this->mesh.origin(s) != this->mesh.destination(halfedge))
     {
       const double length = this->mesh.length(halfedge);
-      const Id globalVertices = this->surface.numberOfGlobalVertices();
       std::reverse(block.data, block.data + block.size);
       std::transform(block.data, block.data + block.size, block.data,
-        [length, globalVertices](const Window& w) { return reversed(w, length, globalVertices); });
+        [length](const Window& w) { return reversed(w, length); });
     }
     std::vector<SentList>& lists = this->surface.isOwn(TriangleMesh::faceOf(s))
       ? this->mailboxes.to(sender.number, this->districts.of(this->mesh.opposite(s))).lists

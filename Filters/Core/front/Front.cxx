@@ -126,7 +126,7 @@ private:
     {
       for (const LeavingWindow& to : initial.toVertices)
       {
-        if (this->isFromSource(to.window) == isStraight)
+        if (to.window.origin.isOnCurve() == isStraight)
         {
           this->startAt(to);
         }
@@ -150,20 +150,15 @@ private:
     }
   }
 
-  bool isFromSource(const Window& w) const
-  {
-    return CurveSide::isOne(w.origin, this->surface_.numberOfGlobalVertices());
-  }
-
   // The vertex opposite a halfedge, from a window's source or along an edge from a near vertex.
   void startAt(const LeavingWindow& to)
   {
     const Window& w = to.window;
     const Vec2 apex = apexOf(this->mesh_, to.halfedge);
-    const bool isStraight = this->isFromSource(w);
+    const bool isStraight = w.origin.isOnCurve();
     this->shorten({ this->mesh_.opposite(to.halfedge), w.straightDistance(apex), 0.0,
       { to.halfedge, w.origin, isStraight ? w.crossing(apex) : w.sourceX,
-        isStraight ? apex - Vec2{ w.sourceX, -w.sourceDepth } : Vec2{}, w.place } });
+        isStraight ? apex - Vec2{ w.sourceX, -w.sourceDepth } : Vec2{}, w.start } });
   }
 
   void startFaces(const SourceWindows& initial)
@@ -171,8 +166,7 @@ private:
     for (const SourceInFace& source : initial.inFaces)
     {
       const Triangle& corners = this->mesh_.triangle(source.face);
-      const Id origin =
-        CurveSide{ source.curve, false }.origin(this->surface_.numberOfGlobalVertices());
+      const RayOrigin origin = RayOrigin::curveSide(source.curve, false);
       for (std::size_t k = 0; k < 3; ++k)
       {
         const DistanceUpdate found = { corners[k],

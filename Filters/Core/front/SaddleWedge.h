@@ -3,6 +3,7 @@
 #define geodesic_SaddleWedge_h
 
 #include "mesh/TriangleMesh.h"
+#include "window/RayOrigin.h"
 
 #include <vector>
 
@@ -17,17 +18,17 @@ struct Arrival
   /// NoId if unknown, and if the segment comes from a source in a face at the vertex.
   Id halfedge = NoId;
   /// Where the segment begins, possibly some faces farther away: Window::origin.
-  Id origin = NoId;
+  RayOrigin origin = {};
   double x = 0.0;
   /// The direction of the segment in the halfedge's frame, of any length; zero along an edge. If
   /// the vertex is close to the halfedge, the two points determine the direction badly.
   Vec2 direction = {};
-  /// Where along a curve the segment begins: Window::place.
-  double place = 0.0;
+  /// Where it starts there: Window::startOf().
+  RayStart start = {};
 
   /// Whether an arrival is known. Without a halfedge the segment comes from a source in a face at
   /// the vertex.
-  bool isKnown() const { return this->halfedge != NoId || this->origin != NoId; }
+  bool isKnown() const { return this->halfedge != NoId || this->origin.isKnown(); }
   /// Whether the segment came through a window, not along an edge or from a source in a face.
   bool isThroughWindow() const
   {

@@ -46,7 +46,7 @@ struct VertexState
   std::uint8_t turns = 0;
   bool hasThinFaces = false;
 
-  Arrival arrival() const { return { this->arrivalHalfedge, NoId, this->arrivalX }; }
+  Arrival arrival() const { return { this->arrivalHalfedge, {}, this->arrivalX }; }
   /// Whether windows may come again and again to halfedges opposite it. On scans hardly any vertex
   /// has more turns than the usual ones.
   bool isBusy() const { return this->hasThinFaces || this->turns >= UsualTurns; }

@@ -27,11 +27,12 @@ void checkSize(std::size_t numberOfPoints, std::size_t numberOfTriangles)
   {
     throw MeshError("The surface has no faces. Give a surface of triangles.");
   }
-  if (numberOfTriangles >= NoId / 3 || numberOfPoints >= NoId)
+  if (numberOfTriangles >= NoId / 3 || numberOfPoints > MaximumVertices)
   {
     throw MeshTooLarge("The surface has " + std::to_string(numberOfTriangles) + " faces and " +
       std::to_string(numberOfPoints) + " points; at most " + std::to_string(NoId / 3 - 1) +
-      " faces and " + std::to_string(NoId - 1) + " points can be numbered. Split the surface.");
+      " faces and " + std::to_string(MaximumVertices) +
+      " points can be numbered. Split the surface.");
   }
 }
 

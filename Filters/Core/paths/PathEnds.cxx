@@ -232,11 +232,11 @@ PathEnd PathEnds::atPoint(const LastPiece& piece, Id number) const
   }
   CurveSectors sectors(this->mesh());
   sectors.assign(around.point, around.ends, at.chain, place);
-  const CurveOrigin origin = sectors.of(3 * piece.face, piece.direction);
+  const PlaceOnSide end = sectors.of(3 * piece.face, piece.direction);
   DirectionsAround directions(this->mesh());
   directions.assign(around.point, around.ends);
-  return this->endAt(CurveSide::of(origin.origin, this->mesh().numberOfVertices()).curve,
-    origin.place, directions.angleOf(directions.around(3 * piece.face, piece.direction)));
+  return this->endAt(
+    end.curve, end.place, directions.angleOf(directions.around(3 * piece.face, piece.direction)));
 }
 
 // 0 is the angle of a path without a direction.

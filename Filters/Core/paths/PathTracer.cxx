@@ -192,7 +192,7 @@ private:
 
   // From the last point back to the place where the path came through a halfedge of a face with
   // that point.
-  void startLeg(Id halfedge, double x, Vec2 direction, Id origin)
+  void startLeg(Id halfedge, double x, Vec2 direction, RayOrigin origin)
   {
     const double length = norm(direction);
     Window& ray = this->path.ray;
@@ -301,7 +301,8 @@ private:
         dot(toCorner, along) >= 0.0 && std::abs(cross(toCorner, along)) <= reach * way;
       const bool isOnPath =
         (distance == 0.0 || isOnLeg) && distance + length <= this->longestLeft(face);
-      if ((this->surface.globalId(vertex) == this->path.origin || isOnPath) && length < nearest)
+      const RayOrigin atCorner = RayOrigin::vertex(this->surface.globalId(vertex));
+      if ((atCorner == this->path.origin || isOnPath) && length < nearest)
       {
         nearest = length;
         found = vertex;

@@ -41,8 +41,8 @@ struct PathState
   /// window without width in the leaving frame, whose x axis runs against the halfedge.
   Id exit = NoId;
   Window ray = {};
-  /// What the ray comes straight from: Window::origin, or NoId.
-  Id origin = NoId;
+  /// What the ray comes straight from: Window::origin.
+  RayOrigin origin = {};
 
   bool isOnItsWay() const { return this->next != Next::End && this->next != Next::Lost; }
 };

@@ -13,7 +13,7 @@ namespace geodesic
 void CurveSectors::assign(
   const SurfacePoint& point, const std::vector<SegmentEnd>& ends, Id curve, double place)
 {
-  this->whole_ = { CurveSide{ curve, false }.origin(this->mesh_.numberOfVertices()), place };
+  this->whole_ = { curve, false, place };
   this->frames_.clear();
   this->totals_.clear();
   this->ends_.clear();
@@ -75,12 +75,9 @@ void CurveSectors::addFan(const SurfacePoint& point, Id face)
 void CurveSectors::addEnd(const SegmentEnd& end)
 {
   const Frame& frame = *this->frameOf(end.face);
-  const Id vertices = this->mesh_.numberOfVertices();
   // The counterclockwise side of a segment that begins here is its left side.
-  const CurveSide after = { end.curve, !end.isBeginning };
-  const CurveSide before = { end.curve, end.isBeginning };
   this->ends_.push_back({ this->angleIn(frame, directionIn(this->mesh_, end, frame.halfedge)),
-    { after.origin(vertices), end.place }, { before.origin(vertices), end.place } });
+    { end.curve, !end.isBeginning, end.place }, { end.curve, end.isBeginning, end.place } });
 }
 
 // At the segments themselves, and in the middle between consecutive ones.
@@ -126,7 +123,7 @@ CurveSectors::FanAngle CurveSectors::angleIn(const Frame& frame, Vec2 direction)
   return { frame.axis.fan, around };
 }
 
-CurveOrigin CurveSectors::of(Id halfedge, Vec2 direction) const
+PlaceOnSide CurveSectors::of(Id halfedge, Vec2 direction) const
 {
   const Frame* frame = this->frameOf(TriangleMesh::faceOf(halfedge));
   if (frame == nullptr || !(dot(direction, direction) > 0.0))

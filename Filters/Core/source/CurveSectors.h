@@ -3,7 +3,6 @@
 #define geodesic_CurveSectors_h
 
 #include "source/SourceCurve.h"
-#include "window/Window.h"
 
 #include <map>
 #include <vector>
@@ -11,17 +10,19 @@
 namespace geodesic
 {
 
-/// Where on a source a path ends: Window::origin and Window::place.
-struct CurveOrigin
+/// A place along a curve, on one side of the curve.
+struct PlaceOnSide
 {
-  Id origin = NoId;
+  Id curve = NoId;
+  bool isRight = false;
   double place = 0.0;
 
-  bool operator==(const CurveOrigin& other) const
+  bool operator==(const PlaceOnSide& other) const
   {
-    return this->origin == other.origin && this->place == other.place;
+    return this->curve == other.curve && this->isRight == other.isRight &&
+      this->place == other.place;
   }
-  bool operator!=(const CurveOrigin& other) const { return !(*this == other); }
+  bool operator!=(const PlaceOnSide& other) const { return !(*this == other); }
 };
 
 /// The curve and the side of it to which each direction around a source's point belongs: those of
@@ -49,10 +50,10 @@ public:
   /// Whether the face is one of those around the point.
   bool haveFace(Id face) const { return this->frameOf(face) != nullptr; }
 
-  /// The origin of a direction in the frame of a halfedge.
-  CurveOrigin of(Id halfedge, Vec2 direction) const;
+  /// The side that a direction, in the frame of a halfedge, belongs to.
+  PlaceOnSide of(Id halfedge, Vec2 direction) const;
 
-  /// The directions in a face at which the origin changes, in the frame of one of its halfedges.
+  /// The directions in a face at which the side changes, in the frame of one of its halfedges.
   std::vector<Vec2> changesIn(Id halfedge) const;
 
 private:
@@ -75,12 +76,12 @@ private:
     FanAngle axis;
     double width;
   };
-  /// The origins on both sides of a segment, counterclockwise and clockwise from it.
+  /// Both sides of a segment, counterclockwise and clockwise from it.
   struct End
   {
     FanAngle at;
-    CurveOrigin after;
-    CurveOrigin before;
+    PlaceOnSide after;
+    PlaceOnSide before;
     bool operator<(const End& other) const { return this->at < other.at; }
   };
 
@@ -91,7 +92,7 @@ private:
   FanAngle angleIn(const Frame& frame, Vec2 direction) const;
 
   const TriangleMesh& mesh_;
-  CurveOrigin whole_;
+  PlaceOnSide whole_;
   /// The frame of each face, as the first turn has entered it.
   std::map<Id, Frame> frames_;
   /// The total angle of each closed fan; infinite for the others.

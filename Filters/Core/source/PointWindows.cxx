@@ -199,7 +199,7 @@ struct PointEmitter
       to.window.sourceX = isAtOrigin ? 0.0 : to.window.end;
       to.window.sourceDepth = 0.0;
       to.window.sigma = near.distance;
-      to.window.origin = near.vertex;
+      to.window.origin = RayOrigin::vertex(near.vertex);
     }
     else
     {
@@ -331,17 +331,13 @@ struct PointEmitter
   void setOrigin(Window& window, const WindowFrame& frame, Vec2 ray) const
   {
     const Vec2 direction = frame.toHalfedge(ray);
-    const CurveOrigin at = this->from.sectors.of(frame.leftThrough, direction);
-    const Id vertices = this->mesh.numberOfVertices();
-    const CurveSide side = CurveSide::of(at.origin, vertices);
+    const PlaceOnSide at = this->from.sectors.of(frame.leftThrough, direction);
     const bool isFaceMirrored =
       this->from.directions.isMirrored(TriangleMesh::faceOf(frame.leftThrough));
-    const PointSide point = { this->from.chains.pointAt(side.curve, at.place), side.isRight,
-      isFaceMirrored != frame.isMirrored };
-    const auto curves = static_cast<Id>(this->from.chains.curves().size());
-    window.origin = point.origin(PointSide::first(vertices, curves));
-    window.place = this->from.directions.around(frame.leftThrough, direction) -
-      angleAround(window.origin, 0.0, ray);
+    window.origin = RayOrigin::pointSide(this->from.chains.pointAt(at.curve, at.place), at.isRight,
+      isFaceMirrored != frame.isMirrored);
+    window.start = RayStart::atAngle(this->from.directions.around(frame.leftThrough, direction) -
+      angleAround(window.origin, {}, ray));
   }
 };
 

@@ -58,7 +58,7 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFac
   const double place = isRight ? segment.placeOfB + origin : segment.placeOfA - origin;
   addLeavingWindow(mesh, halfedge, interval,
     { 0.0, 0.0, -t.y, t.x, sigma, 0.0, Window::Kind::Linear, 0,
-      CurveSide{ segment.curve, isRight }.origin(mesh.numberOfVertices()), place },
+      RayOrigin::curveSide(segment.curve, isRight), RayStart::atPlace(place) },
     windows);
 }
 
@@ -227,21 +227,12 @@ private:
   SourceWindows result_;
 };
 
-/// The origin of a window of the patch, with global ids.
-Id globalOrigin(const MeshPartition& part, const ReplicatedPatch& patch, Id origin)
-{
-  const Id vertices = patch.mesh().numberOfVertices();
-  return CurveSide::isOne(origin, vertices)
-    ? CurveSide::first(part.numberOfGlobalVertices()) + (origin - CurveSide::first(vertices))
-    : patch.globalId(origin);
-}
-
 /// Those windows whose halfedges a rank needs, with its numbers.
 ///
 /// \param isNeeded (Id halfedge) -> bool, with the rank's number.
 template <typename IsNeeded>
-std::vector<LeavingWindow> windowsOfPart(const MeshPartition& part, const ReplicatedPatch& patch,
-  const std::vector<LeavingWindow>& windows, const IsNeeded& isNeeded)
+std::vector<LeavingWindow> windowsOfPart(
+  const ReplicatedPatch& patch, const std::vector<LeavingWindow>& windows, const IsNeeded& isNeeded)
 {
   std::vector<LeavingWindow> result;
   for (const LeavingWindow& leaving : windows)
@@ -251,7 +242,8 @@ std::vector<LeavingWindow> windowsOfPart(const MeshPartition& part, const Replic
     if (halfedge != NoId && isNeeded(halfedge))
     {
       result.push_back({ halfedge, leaving.window });
-      result.back().window.origin = globalOrigin(part, patch, leaving.window.origin);
+      RayOrigin& origin = result.back().window.origin;
+      origin = origin.isVertex() ? RayOrigin::vertex(patch.globalId(origin.vertex())) : origin;
     }
   }
   return result;
@@ -302,10 +294,10 @@ SourceWindows sourceWindowsOfPartition(
   const MeshPartition& part, const ReplicatedPatch& patch, const SourceWindows& onPatch)
 {
   SourceWindows result;
-  result.windows = windowsOfPart(part, patch, onPatch.windows,
+  result.windows = windowsOfPart(patch, onPatch.windows,
     [&](Id halfedge) { return part.isOwn(TriangleMesh::faceOf(halfedge)); });
   // Each rank learns all ways to a vertex itself, so that all choose among them alike.
-  result.toVertices = windowsOfPart(part, patch, onPatch.toVertices,
+  result.toVertices = windowsOfPart(patch, onPatch.toVertices,
     [&](Id halfedge) { return part.mesh().opposite(halfedge) < part.numberOfOwnVertices(); });
   for (const SourceInFace& source : onPatch.inFaces)
   {

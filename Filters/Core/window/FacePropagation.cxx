@@ -124,7 +124,7 @@ inline void leaveThrough(
     child.facesCrossed = (w.facesCrossed + 1) & MaximumFacesCrossed;
     if (exit.turn != 0.0) // angles are asked for
     {
-      child.place += (w.origin & 1U) == 0 ? exit.turn : -exit.turn; // see PointSide
+      child.start = RayStart::atAngle(w.start.angle() + w.origin.aroundPoint(exit.turn));
     }
     list.settle();
   }

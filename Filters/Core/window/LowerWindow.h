@@ -32,7 +32,8 @@ inline bool isSameSource(const Window& a, const Window& b)
   return std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source && a.kind == b.kind &&
     a.origin == b.origin &&
     (!a.isLinear() ||
-      std::abs(a.place - b.place) <= tolerance::SameSource * (std::abs(a.place) + length)) &&
+      std::abs(a.start.place() - b.start.place()) <=
+        tolerance::SameSource * (std::abs(a.start.place()) + length)) &&
     std::abs(a.sourceDepth - b.sourceDepth) <= tolerance::SameSource * source &&
     std::abs(a.sigma - b.sigma) <= tolerance::SameSource * (std::abs(a.sigma) + length);
 }

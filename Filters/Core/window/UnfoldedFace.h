@@ -20,7 +20,7 @@ inline Window moved(const Window& window, Vec2 origin, Vec2 axis, double begin, 
   if (window.isLinear())
   {
     w.sigma = window.straightDistance(origin);
-    w.place = window.placeOf(origin);
+    w.start = window.startOf(origin);
     w.sourceX = window.sourceX * axis.x + window.sourceDepth * axis.y;
     w.sourceDepth = window.sourceDepth * axis.x - window.sourceX * axis.y;
   }

@@ -5,6 +5,7 @@
 #include "Tolerance.h"
 #include "Trigonometry.h"
 #include "Types.h"
+#include "window/RayOrigin.h"
 #include "window/TwoDoubles.h"
 
 #include <algorithm>
@@ -14,66 +15,14 @@ namespace geodesic
 
 constexpr Id MaximumFacesCrossed = 0x3fffffffU;
 
-/// A side of a curve, as stored in Window::origin of linear windows. Four numbers per curve follow
-/// the numbers of the vertices. Left and right are as seen by a viewer towards whom the normal of
-/// the segment's face points.
-struct CurveSide
-{
-  Id curve = NoId;
-  bool isRight = false;
-
-  /// A multiple of 4, as the bits of the numbers behind it have meanings.
-  static Id first(Id numberOfVertices) { return (numberOfVertices + 3) & ~Id(3); }
-  static bool isOne(Id origin, Id numberOfVertices)
-  {
-    return origin != NoId && origin >= numberOfVertices;
-  }
-  /// The side does not depend on bit 1, whether the window's halfedge sees the curve mirrored; bit
-  /// 0 tells on which side the halfedge sees the rays.
-  static CurveSide of(Id origin, Id numberOfVertices)
-  {
-    return { (origin - first(numberOfVertices)) / 4, ((origin ^ origin >> 1) & 1U) != 0 };
-  }
-  Id origin(Id numberOfVertices) const
-  {
-    return first(numberOfVertices) + 4 * this->curve + (this->isRight ? 1 : 0);
-  }
-};
-
-/// A point of a curve on one of its sides, as stored in Window::origin of circular windows. Four
-/// numbers per point follow those of the curves' sides.
-struct PointSide
-{
-  /// Number of the point among those of all curves (CurveChains::pointAt()).
-  Id point = NoId;
-  bool isRight = false;
-  /// Whether angles around the point grow clockwise in the frame of the window's halfedge.
-  bool isMirrored = false;
-
-  static Id first(Id numberOfVertices, Id numberOfCurves)
-  {
-    return CurveSide{ numberOfCurves, false }.origin(numberOfVertices);
-  }
-  static PointSide of(Id origin, Id first)
-  {
-    const Id number = origin - first;
-    return { number / 4, (number & 2U) != 0, (number & 1U) != 0 };
-  }
-  Id origin(Id first) const
-  {
-    return first + 4 * this->point + (this->isRight ? 2 : 0) + (this->isMirrored ? 1 : 0);
-  }
-};
-
 /// The angle around a point of a curve at which the ray of a window leaves it.
 ///
-/// \param origin Window::origin: a PointSide.
-/// \param axis Window::place.
+/// \param origin Window::origin, a point of a curve.
+/// \param axis Window::start.
 /// \param direction of the ray, in the frame of the window's halfedge.
-inline double angleAround(Id origin, double axis, Vec2 direction)
+inline double angleAround(RayOrigin origin, RayStart axis, Vec2 direction)
 {
-  const double turn = polarAngle(direction);
-  return axis + ((origin & 1U) == 0 ? turn : -turn);
+  return axis.angle() + origin.aroundPoint(polarAngle(direction));
 }
 
 /// A point over a halfedge, with the rounding error of its x.
@@ -122,13 +71,13 @@ struct Window
   /// Number of faces crossed since the source. A shortest path crosses no face twice, so this
   /// number is bounded, and propagation ends.
   Id facesCrossed : 30;
-  /// Where its rays start: a vertex as a pseudo-source, a side of a curve (CurveSide), or one of a
-  /// curve's points (PointSide). Distances do not depend on it.
-  Id origin = NoId;
-  /// Linear: the place along the curve, as the length from the curve's beginning, of the start of
-  /// the ray through the halfedge's origin. Circular from a curve's point: the angle of the x axis
-  /// around the point (DirectionsAround::around()), if the front keeps angles; else unused.
-  double place = 0.0;
+  /// Where its rays start: on a side of a curve if it is linear, else at a vertex as a
+  /// pseudo-source or at a point of a curve. Distances do not depend on it.
+  RayOrigin origin = {};
+  /// Linear: the place along the curve where the ray through the halfedge's origin starts. Circular
+  /// from a curve's point: the angle of the x axis around the point, if the front keeps angles;
+  /// else unused.
+  RayStart start = {};
 
   bool isLinear() const { return (this->kind & Kind::Linear) != 0; } // one bit: asked very often
   double width() const { return this->end - this->begin; }
@@ -168,14 +117,15 @@ struct Window
     return this->sigma + std::sqrt(dx * dx + dy * dy);
   }
 
-  /// The place along the curve where a linear window's ray through a point of the face's plane
-  /// starts. The rays of a circular window share its place. On the left side of the curve, the
-  /// rays' direction is the curve's direction turned to the left.
-  double placeOf(Vec2 p) const
+  /// Where the ray of a linear window through a point of the face's plane starts. All rays of a
+  /// circular window have the start of the window. On the left side of the curve, the rays'
+  /// direction is the curve's direction turned to the left.
+  RayStart startOf(Vec2 p) const
   {
     const double along = this->sourceDepth * p.x - this->sourceX * p.y;
-    return this->isLinear() ? this->place + ((this->origin & 1U) == 0 ? along : -along)
-                            : this->place;
+    return this->isLinear()
+      ? RayStart::atPlace(this->start.place() + this->origin.alongCurve(along))
+      : this->start;
   }
 
   /// Direction of the ray through x, not normalised.
@@ -255,27 +205,24 @@ using WindowRange = ArrayRange<Window>;
 
 /// The same window in the reversed frame: from the end of a halfedge of this length back to its
 /// origin.
-///
-/// \param numberOfVertices above which Window::origin is a point of a curve.
-inline Window reversed(const Window& window, double length, Id numberOfVertices = NoId)
+inline Window reversed(const Window& window, double length)
 {
   Window w = window;
   w.begin = length - window.end;
   w.end = length - window.begin;
+  w.origin = window.origin.mirrored();
   if (window.isLinear())
   {
     w.sigma = window.distance(length);
     w.sourceX = -window.sourceX;
-    w.place = window.placeOf({ length, 0.0 });
-    w.origin ^= 3U; // in the mirrored frame the rays are on the other side: see CurveSide
+    w.start = window.startOf({ length, 0.0 });
   }
   else
   {
     w.sourceX = length - window.sourceX;
-    if (CurveSide::isOne(window.origin, numberOfVertices))
+    if (window.origin.isPoint())
     {
-      w.place = angleAround(window.origin, window.place, { -1.0, 0.0 });
-      w.origin ^= 1U; // angles around the point grow the other way
+      w.start = RayStart::atAngle(angleAround(window.origin, window.start, { -1.0, 0.0 }));
     }
   }
   return w;

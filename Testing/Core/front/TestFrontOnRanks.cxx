@@ -210,7 +210,7 @@ TEST(Ranks, RememberTheSameArrivalAtSharedVerticesWherePathsAreEquallyLong)
     [&](const CutMesh& cut)
     {
       std::mutex mutex;
-      std::map<Index, geodesic::Id> origins;
+      std::map<Index, geodesic::RayOrigin> origins;
       onRanks(cut, curves, 0,
         [&](const RankOfRun& rank)
         {
@@ -220,7 +220,7 @@ TEST(Ranks, RememberTheSameArrivalAtSharedVerticesWherePathsAreEquallyLong)
           const std::lock_guard<std::mutex> lock(mutex);
           for (geodesic::Id vertex = 0; vertex < rank.part.numberOfOwnVertices(); ++vertex)
           {
-            const geodesic::Id origin = field.arrivals()[vertex].origin;
+            const geodesic::RayOrigin origin = field.arrivals()[vertex].origin;
             const auto at = origins.emplace(rank.part.globalId(vertex), origin).first;
             EXPECT_EQ(at->second, origin) << "vertex " << at->first;
           }

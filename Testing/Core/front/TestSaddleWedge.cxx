@@ -144,7 +144,7 @@ TEST_P(SaddleWedges, AreThePartsThatNoStraightContinuationReaches)
     const Id halfedge = 3 * face + 1;
     for (const double t : { 0.0, 0.25, 0.6, 1.0 })
     {
-      expectWedge(fan, closed, { halfedge, geodesic::NoId, t * fan.mesh().length(halfedge) });
+      expectWedge(fan, closed, { halfedge, {}, t * fan.mesh().length(halfedge) });
     }
   }
 }
@@ -170,7 +170,7 @@ TEST(SaddleWedge, IsNotFoundAcrossAnEdgeOfThreeFaces)
     { 0.5, 0, 1 } };
   const TriangleMesh mesh(points, { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } });
   std::vector<EmittedInterval> halfedges;
-  EXPECT_FALSE(findSaddleWedge(mesh, 0, { 1, geodesic::NoId, 0.5 }, halfedges));
+  EXPECT_FALSE(findSaddleWedge(mesh, 0, { 1, {}, 0.5 }, halfedges));
 }
 
 TEST(SaddleWedge, IsNotFoundThroughFacesWithoutArea)
@@ -178,7 +178,7 @@ TEST(SaddleWedge, IsNotFoundThroughFacesWithoutArea)
   const std::vector<Vec3> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 } };
   const TriangleMesh mesh(points, { { 0, 1, 2 }, { 0, 2, 3 } });
   std::vector<EmittedInterval> halfedges;
-  EXPECT_FALSE(findSaddleWedge(mesh, 0, { 1, geodesic::NoId, 0.5 }, halfedges));
+  EXPECT_FALSE(findSaddleWedge(mesh, 0, { 1, {}, 0.5 }, halfedges));
 }
 
 }

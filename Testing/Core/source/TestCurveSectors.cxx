@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The origins of directions around a point of the source, compared with angles measured around it.
+// The sides of directions around a point of the source, compared with angles measured around it.
 #include "EngineSupport.h"
 
 #include "source/CurveSectors.h"
@@ -10,10 +10,9 @@
 #include <cmath>
 
 using namespace geodesictest;
-using geodesic::CurveOrigin;
 using geodesic::CurveSectors;
-using geodesic::CurveSide;
 using geodesic::Id;
+using geodesic::PlaceOnSide;
 using geodesic::SegmentEnd;
 using geodesic::SurfacePoint;
 using geodesic::TriangleMesh;
@@ -133,8 +132,7 @@ TEST(CurveSectors, OfThreeCurvesAtAVertexEachHasTheDirectionsNearestByAngle)
           isLeft = turn < around.total() - turn;
         }
       }
-      const CurveOrigin found = sectors.of(around.cornerOf(direction), around.direction(direction));
-      const CurveSide side = CurveSide::of(found.origin, around.mesh.numberOfVertices());
+      const PlaceOnSide side = sectors.of(around.cornerOf(direction), around.direction(direction));
       EXPECT_EQ(side.curve, nearest);
       EXPECT_EQ(side.isRight, !isLeft);
     }

@@ -221,7 +221,7 @@ TEST(SourceWindows, RaysOfASegmentFromACornerLeaveThroughTheEdgeOnTheirSide)
     {
       const Id k = (leaving.halfedge + 3 - corner) % 3;
       // The halfedge that begins at the corner is on the right of what leaves it.
-      const bool isRight = geodesic::CurveSide::of(leaving.window.origin, 4).isRight;
+      const bool isRight = leaving.window.origin.isRight();
       if (k != 1)
       {
         EXPECT_EQ(isRight, (k == 0) != isReversed) << leaving.window.width();

@@ -9,6 +9,8 @@
 using namespace geodesictest;
 using geodesic::Id;
 using geodesic::Interval;
+using geodesic::RayOrigin;
+using geodesic::RayStart;
 using PlanePoint = geodesic::Vec2;
 
 namespace
@@ -125,35 +127,28 @@ TEST(Window, ReversedTwiceItIsTheSameAndHasTheSameDistances)
 // Also where the reversed frame is a mirror, as between faces of opposite orientation.
 TEST(Window, ReversedItsRaysStartAtTheSamePlaceOfTheSameSideAndAtTheSameAngle)
 {
-  using geodesic::CurveSide;
-  using geodesic::PointSide;
   Random random(7);
-  const Id vertices = 11;
-  const Id firstPoint = PointSide::first(vertices, 5);
   for (int i = 0; i < Windows; ++i)
   {
     const double length = 1.5;
     Window w = randomWindow(length, random);
     const bool isRight = random.chance(0.5);
-    const CurveSide side = { random.below(5), isRight };
-    const PointSide point = { random.below(9), isRight, random.chance(0.5) };
-    w.origin = w.isLinear() ? side.origin(vertices) : point.origin(firstPoint);
-    w.place = random.uniform(0.0, 3.0);
-    const Window r = reversed(w, length, vertices);
+    const Id number = random.below(9);
+    const double start = random.uniform(0.0, 3.0);
+    w.origin = w.isLinear() ? RayOrigin::curveSide(number, isRight)
+                            : RayOrigin::pointSide(number, isRight, random.chance(0.5));
+    w.start = w.isLinear() ? RayStart::atPlace(start) : RayStart::atAngle(start);
+    const Window r = reversed(w, length);
+    EXPECT_EQ(r.origin, w.origin.mirrored());
     const double x = w.begin + 0.3 * (w.end - w.begin);
     if (w.isLinear())
     {
-      EXPECT_EQ(CurveSide::of(r.origin, vertices).curve, side.curve);
-      EXPECT_EQ(CurveSide::of(r.origin, vertices).isRight, isRight);
-      EXPECT_NEAR(r.placeOf({ length - x, 0.0 }), w.placeOf({ x, 0.0 }), 1e-14);
+      EXPECT_NEAR(r.startOf({ length - x, 0.0 }).place(), w.startOf({ x, 0.0 }).place(), 1e-14);
     }
     else
     {
-      EXPECT_EQ(PointSide::of(r.origin, firstPoint).point, point.point);
-      EXPECT_EQ(PointSide::of(r.origin, firstPoint).isRight, isRight);
-      EXPECT_NE(PointSide::of(r.origin, firstPoint).isMirrored, point.isMirrored);
-      EXPECT_NEAR(angleAround(r.origin, r.place, r.direction(length - x)),
-        angleAround(w.origin, w.place, w.direction(x)), 1e-14);
+      EXPECT_NEAR(angleAround(r.origin, r.start, r.direction(length - x)),
+        angleAround(w.origin, w.start, w.direction(x)), 1e-14);
     }
   }
 }
