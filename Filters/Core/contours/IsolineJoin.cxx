@@ -190,7 +190,7 @@ private:
       return std::all_of(line.points.begin(), line.points.end(),
         [&](Id id) { return this->points_[id].kind == Kind::Face || isThere(this->points_[id]); });
     };
-    for (Id corner = 3 * line.faces.front(); corner < 3 * line.faces.front() + 3; ++corner)
+    for (const Id corner : TriangleMesh::halfedgesOf(line.faces.front()))
     {
       const Id vertex = this->mesh_.origin(corner);
       const auto isBeside = [&](const SurfacePoint& p)

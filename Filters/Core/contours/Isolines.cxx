@@ -197,7 +197,7 @@ private:
       {
         auto p = reader.get<EdgePoint>();
         const Id face = part.copyOf({ rank, TriangleMesh::faceOf(p.halfedge) });
-        p.halfedge = 3 * face + p.halfedge % 3;
+        p.halfedge = TriangleMesh::inCopy(p.halfedge, face);
         this->edgePoints_.push_back(p);
       });
     std::stable_sort(this->edgePoints_.begin(), this->edgePoints_.end(),
@@ -241,7 +241,7 @@ private:
     std::optional<FaceDistance> distance;
     const bool hasSource = !this->field_.sourcesIn(face).empty();
     std::vector<SegmentCrossing> crossings;
-    for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
+    for (const Id halfedge : TriangleMesh::halfedgesOf(face))
     {
       const std::array<Id, 2> ends = { this->mesh_.origin(halfedge),
         this->mesh_.destination(halfedge) };
@@ -258,8 +258,9 @@ private:
       {
         distance.emplace(this->field_, face);
       }
-      const Vec2 p = distance->inPlane(cornerWeights(halfedge % 3));
-      const Vec2 q = distance->inPlane(cornerWeights((halfedge + 1) % 3));
+      const std::size_t k = TriangleMesh::indexInFace(halfedge);
+      const Vec2 p = distance->inPlane(cornerWeights(k));
+      const Vec2 q = distance->inPlane(cornerWeights((k + 1) % 3));
       const std::vector<Window>& envelope = memory.along(*distance, p, q);
       const PlaneLine line = { p, length > 0.0 ? (1.0 / length) * (q - p) : Vec2{} };
       for (std::size_t value = first; value < last; ++value)
@@ -317,11 +318,11 @@ private:
   {
     outline.clear();
     const Id frame = longestHalfedge(this->mesh_, face);
-    for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
+    for (const Id halfedge : TriangleMesh::halfedgesOf(face))
     {
-      const Vec2 begin = inHalfedgeFrame(this->mesh_, frame, cornerWeights(halfedge % 3));
-      const Vec2 edge =
-        inHalfedgeFrame(this->mesh_, frame, cornerWeights((halfedge + 1) % 3)) - begin;
+      const Id k = TriangleMesh::indexInFace(halfedge);
+      const Vec2 begin = inHalfedgeFrame(this->mesh_, frame, cornerWeights(k));
+      const Vec2 edge = inHalfedgeFrame(this->mesh_, frame, cornerWeights((k + 1) % 3)) - begin;
       const Id named = this->mesh_.edgeOf(halfedge);
       const bool isReversed = this->mesh_.origin(named) != this->mesh_.origin(halfedge);
       const std::size_t firstOfEdge = outline.size();
@@ -331,8 +332,8 @@ private:
       for (; p != this->edgePoints_.end() && p->halfedge == named && p->value == value; ++p)
       {
         const double t = isReversed ? 1.0 - p->fraction : p->fraction;
-        outline.push_back({ begin + t * edge, static_cast<Id>(p - this->edgePoints_.begin()),
-          halfedge % 3, p->rises != isReversed });
+        outline.push_back({ begin + t * edge, static_cast<Id>(p - this->edgePoints_.begin()), k,
+          p->rises != isReversed });
       }
       if (isReversed)
       {

@@ -82,7 +82,7 @@ FaceDistance::FaceDistance(
   const std::vector<SourceInFace> sources = field.sourcesIn(face);
   for (Id k = 0; k < 3; ++k)
   {
-    this->addHalfedge(field, 3 * face + k, this->exact_ && sources.empty());
+    this->addHalfedge(field, TriangleMesh::halfedgeOf(face, k), this->exact_ && sources.empty());
   }
   for (std::size_t k = 0; k < 3; ++k)
   {
@@ -113,8 +113,9 @@ void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge, bool may
   {
     return;
   }
-  const Vec2 origin = this->inPlane(cornerWeights(halfedge % 3));
-  const Vec2 end = this->inPlane(cornerWeights((halfedge % 3 + 1) % 3));
+  const std::size_t k = TriangleMesh::indexInFace(halfedge);
+  const Vec2 origin = this->inPlane(cornerWeights(k));
+  const Vec2 end = this->inPlane(cornerWeights((k + 1) % 3));
   const Vec2 along = (1.0 / length) * (end - origin);
   const Vec2 into = { -along.y, along.x };
   for (const Window& w : windows)

@@ -30,7 +30,7 @@ Gradients::Hop Gradients::hopBefore(IncomingRay ray) const
     return {};
   }
   const RankAddress owned = part.ownerOf(face);
-  ray.halfedge = 3 * owned.id + ray.halfedge % 3;
+  ray.halfedge = TriangleMesh::inCopy(ray.halfedge, owned.id);
   return { owned, ray };
 }
 

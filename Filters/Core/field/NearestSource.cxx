@@ -36,7 +36,8 @@ Origins openOrigins(const DistanceField& field)
     add(RayOrigin::vertex(part.globalId(vertex)));
     add(field.arrivals()[vertex].origin);
   }
-  for (Id halfedge = 3 * part.firstOwnFace(); halfedge < 3 * part.endOfOwnFaces(); ++halfedge)
+  const Id end = TriangleMesh::halfedgeOf(part.endOfOwnFaces(), 0);
+  for (Id halfedge = TriangleMesh::halfedgeOf(part.firstOwnFace(), 0); halfedge < end; ++halfedge)
   {
     RayOrigin last; // windows of one origin often stand together
     for (const Window& window : field.windowsOn(halfedge))
@@ -251,7 +252,7 @@ PathOrigin NearestSource::inSector(const IncomingSegment& piece) const
 {
   const Id face = this->curves_.patch().faceAt(
     this->field_.surface().addressOf(TriangleMesh::faceOf(piece.ray.halfedge)));
-  const Id halfedge = 3 * face + piece.ray.halfedge % 3;
+  const Id halfedge = TriangleMesh::inCopy(piece.ray.halfedge, face);
   const PlaceOnSide side = this->sectors_.of(halfedge, piece.ray.direction);
   double around = Infinity;
   if (this->field_.hasAngles() && dot(piece.ray.direction, piece.ray.direction) > 0.0)

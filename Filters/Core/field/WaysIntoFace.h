@@ -88,7 +88,7 @@ void forEachWay(const DistanceField& field, Id face, const SurfacePoint& place, 
   way.kind = WayIntoFace::Kind::Window;
   for (Id k = 0; k < 3; ++k)
   {
-    way.halfedge = 3 * face + k;
+    way.halfedge = TriangleMesh::halfedgeOf(face, k);
     way.isBehind = point[(k + 2) % 3] == 0.0;
     const Vec2 p = inHalfedgeFrame(mesh, way.halfedge, point);
     for (const Window& window : field.windowsOn(way.halfedge))

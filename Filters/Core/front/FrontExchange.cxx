@@ -13,7 +13,7 @@ void FrontExchange::addList(const SentList& list, WindowPool& pool)
 {
   const RankAddress owner = this->surface_.ownerOf(TriangleMesh::faceOf(list.halfedge));
   Message& message = this->messages_[rankIndex(owner.rank)];
-  put(message, 3 * owner.id + list.halfedge % 3);
+  put(message, TriangleMesh::inCopy(list.halfedge, owner.id));
   put(message, list.windows.size);
   put(message, list.windows.data, list.windows.size);
   pool.free(list.windows);
@@ -54,8 +54,8 @@ FrontExchange::Received FrontExchange::step(std::vector<double>& least, WindowPo
       Id& through = update.from.halfedge;
       if (through != NoId) // in a face of the sender, of which this rank has a copy
       {
-        through =
-          3 * this->surface_.copyOf({ sender, TriangleMesh::faceOf(through) }) + through % 3;
+        const Id copy = this->surface_.copyOf({ sender, TriangleMesh::faceOf(through) });
+        through = TriangleMesh::inCopy(through, copy);
       }
       received.updates[sender > exchange.rank() ? 1 : 0].push_back(update);
     });
@@ -106,7 +106,7 @@ void FrontExchange::completeHalo(std::vector<double>& distances)
     if (vertex >= firstOfHalo && !isAsked[vertex - firstOfHalo])
     {
       const RankAddress owner = this->surface_.ownerOf(TriangleMesh::faceOf(corner));
-      questions.ask(owner.rank, vertex, 3 * owner.id + corner % 3);
+      questions.ask(owner.rank, vertex, TriangleMesh::inCopy(corner, owner.id));
       isAsked[vertex - firstOfHalo] = 1;
     }
   }

@@ -63,7 +63,7 @@ Vec2 rotated(Vec2 v, Vec2 by)
 Vec2 rotationOf(const TriangleMesh& mesh, Id corner)
 {
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(corner));
-  return unit({ shape.cornerDot[corner % 3], shape.area2 });
+  return unit({ shape.cornerDot[TriangleMesh::indexInFace(corner)], shape.area2 });
 }
 
 Stop across(const TriangleMesh& mesh, Id vertex, Id edge)
@@ -80,7 +80,8 @@ double meet(const TriangleMesh& mesh, const Stop& stop, Vec2 direction)
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(stop.corner));
   const double edge =
     mesh.length(stop.acrossOutgoing ? stop.corner : TriangleMesh::previousInFace(stop.corner));
-  const Vec2 other = (1.0 / edge) * Vec2{ shape.cornerDot[stop.corner % 3], shape.area2 };
+  const Vec2 other =
+    (1.0 / edge) * Vec2{ shape.cornerDot[TriangleMesh::indexInFace(stop.corner)], shape.area2 };
   const double before = direction.y * edge;
   const double behind = direction.x * other.y - direction.y * other.x;
   const double t = std::clamp(before / (before + behind), 0.0, 1.0);
@@ -182,7 +183,8 @@ bool findSaddleWedge(
     return false;
   }
   // In the corner's frame, whose x axis is its first edge.
-  const Vec2 second = (1.0 / first) * Vec2{ shape.cornerDot[corner % 3], shape.area2 };
+  const Vec2 second =
+    (1.0 / first) * Vec2{ shape.cornerDot[TriangleMesh::indexInFace(corner)], shape.area2 };
   const double t = arrival.x / mesh.length(arrival.halfedge);
   const Vec2 back = unit(Vec2{ first, 0.0 } + t * (second - Vec2{ first, 0.0 }));
   const Vec2 toSecond = rotated(unit(second), { back.x, -back.y });

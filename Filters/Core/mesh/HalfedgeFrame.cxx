@@ -9,7 +9,7 @@ namespace geodesic
 Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& point)
 {
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
-  const std::size_t k = halfedge % 3;
+  const std::size_t k = TriangleMesh::indexInFace(halfedge);
   const std::size_t next = (k + 1) % 3;
   const std::size_t previous = (k + 2) % 3;
   const double length = shape.length[k];
@@ -38,7 +38,7 @@ Vec2 wayInFrame(
 Barycentric fromHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, Vec2 point)
 {
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
-  const std::size_t k = halfedge % 3;
+  const std::size_t k = TriangleMesh::indexInFace(halfedge);
   const double length = shape.length[k];
   Barycentric weights{};
   if (length > 0.0)
@@ -55,16 +55,17 @@ Barycentric fromHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, Vec2 point)
 Vec2 apexOf(const TriangleMesh& mesh, Id halfedge)
 {
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
-  const double length = shape.length[halfedge % 3];
-  return { shape.cornerDot[halfedge % 3] / length, shape.area2 / length };
+  const std::size_t k = TriangleMesh::indexInFace(halfedge);
+  const double length = shape.length[k];
+  return { shape.cornerDot[k] / length, shape.area2 / length };
 }
 
 // Rotates by the cosine and the sine of the angle between the two halfedges.
 Vec2 turned(const TriangleMesh& mesh, Vec2 direction, Id fromHalfedge, Id toHalfedge)
 {
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(fromHalfedge));
-  const std::size_t from = fromHalfedge % 3;
-  const std::size_t to = toHalfedge % 3;
+  const std::size_t from = TriangleMesh::indexInFace(fromHalfedge);
+  const std::size_t to = TriangleMesh::indexInFace(toHalfedge);
   const double scale = shape.length[from] * shape.length[to];
   if (from == to || !(scale > 0.0))
   {
@@ -79,7 +80,7 @@ Vec2 turned(const TriangleMesh& mesh, Vec2 direction, Id fromHalfedge, Id toHalf
 
 Id longestHalfedge(const TriangleMesh& mesh, Id face)
 {
-  return 3 * face + static_cast<Id>(mesh.shape(face).longestEdge());
+  return TriangleMesh::halfedgeOf(face, mesh.shape(face).longestEdge());
 }
 
 double distanceInFace(const TriangleMesh& mesh, Id face, const Barycentric& a, const Barycentric& b)

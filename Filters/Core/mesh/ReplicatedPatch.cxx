@@ -65,7 +65,8 @@ std::vector<FaceOfPatch> gather(const MeshPartition& part, const std::vector<Id>
     FaceOfPatch entry = { part.sentFace(face), 0 };
     for (Id k = 0; k < 3; ++k)
     {
-      const bool isBoundary = part.isOwn(face) && mesh.isBoundary(3 * face + k);
+      const bool isBoundary =
+        part.isOwn(face) && mesh.isBoundary(TriangleMesh::halfedgeOf(face, k));
       entry.boundary |= static_cast<std::uint8_t>(isBoundary ? 1U << k : 0U);
     }
     put(message, entry);

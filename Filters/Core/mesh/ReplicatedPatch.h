@@ -74,9 +74,9 @@ public:
   /// has a boundary of its own where it ends.
   bool isGlobalBoundary(Id halfedge) const
   {
-    return this->places_
-      ? (this->places_->boundary[TriangleMesh::faceOf(halfedge)] >> (halfedge % 3) & 1U) != 0
-      : this->mesh().isBoundary(halfedge);
+    const Id k = TriangleMesh::indexInFace(halfedge);
+    return this->places_ ? (this->places_->boundary[TriangleMesh::faceOf(halfedge)] >> k & 1U) != 0
+                         : this->mesh().isBoundary(halfedge);
   }
 
   /// The number of the patch's face or vertex in this rank's partition; NoId if the partition does

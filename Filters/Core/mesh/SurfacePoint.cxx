@@ -71,7 +71,8 @@ SurfacePoint fromBarycentric(const TriangleMesh& mesh, Id face, const Barycentri
   {
     const auto begin = static_cast<std::size_t>(zero - isZero.begin() + 1) % 3;
     const double end = weights[(begin + 1) % 3];
-    return placeOnHalfedge(mesh, 3 * face + static_cast<Id>(begin), end / (weights[begin] + end));
+    return placeOnHalfedge(
+      mesh, TriangleMesh::halfedgeOf(face, begin), end / (weights[begin] + end));
   }
   if (mesh.shape(face).hasZeroArea())
   {
@@ -134,16 +135,16 @@ Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const SurfacePoint& 
 
 FacePoint toFacePoint(const TriangleMesh& mesh, Id face, const SurfacePoint& point)
 {
-  const Id corner =
-    point.kind == SurfacePoint::Kind::Vertex ? cornerWith(mesh, face, point.id) : point.id % 3;
+  const Id corner = point.kind == SurfacePoint::Kind::Vertex ? cornerWith(mesh, face, point.id)
+                                                             : TriangleMesh::indexInFace(point.id);
   return { point.kind, corner, point.u, point.v };
 }
 
 SurfacePoint fromFacePoint(const TriangleMesh& mesh, Id face, const FacePoint& point)
 {
   const Id id = point.kind == SurfacePoint::Kind::Vertex ? mesh.triangle(face)[point.corner]
-    : point.kind == SurfacePoint::Kind::Edge             ? 3 * face + point.corner
-                                                         : face;
+    : point.kind == SurfacePoint::Kind::Edge ? TriangleMesh::halfedgeOf(face, point.corner)
+                                             : face;
   return { point.kind, id, point.u, point.v };
 }
 

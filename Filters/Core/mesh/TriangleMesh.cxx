@@ -39,7 +39,7 @@ void checkSize(std::size_t numberOfPoints, std::size_t numberOfTriangles)
 // Faces on the same three vertices share an edge and the vertex opposite it.
 bool isDuplicate(const TriangleMesh& mesh, Id face)
 {
-  const Id s = 3 * face;
+  const Id s = TriangleMesh::halfedgeOf(face, 0);
   for (Id t = mesh.nextSibling(s); t != s; t = mesh.nextSibling(t))
   {
     if (TriangleMesh::faceOf(t) < face && mesh.opposite(t) == mesh.opposite(s))
@@ -134,7 +134,7 @@ TriangleMesh::PseudoSource findPseudoSource(const TriangleMesh& mesh, Id vertex)
   for (const Id corner : corners)
   {
     angle += mesh.cornerAngle(corner);
-    const double longest = mesh.shape(corner / 3).longest();
+    const double longest = mesh.shape(TriangleMesh::faceOf(corner)).longest();
     for (const Id halfedge : { corner, TriangleMesh::previousInFace(corner) })
     {
       isBesideAnother = isBesideAnother || mesh.length(halfedge) < tolerance::ShortEdge * longest;
@@ -260,7 +260,10 @@ private:
     }
     std::sort(byHigh.begin(), byHigh.end());
     const auto next = [&](std::size_t i) -> Id&
-    { return this->mesh_.faces_[byHigh[i].second / 3].nextSibling[byHigh[i].second % 3]; };
+    {
+      const Id s = byHigh[i].second;
+      return this->mesh_.faces_[TriangleMesh::faceOf(s)].nextSibling[TriangleMesh::indexInFace(s)];
+    };
     for (std::size_t first = 0; first < byHigh.size();)
     {
       std::size_t end = first + 1;
@@ -380,8 +383,8 @@ Id TriangleMesh::halfedgeBetween(Id a, Id b) const
 
 double TriangleMesh::cornerAngle(Id corner) const
 {
-  const FaceShape& shape = this->shape(corner / 3);
-  return polarAngle({ shape.cornerDot[corner % 3], shape.area2 });
+  const FaceShape& shape = this->shape(faceOf(corner));
+  return polarAngle({ shape.cornerDot[indexInFace(corner)], shape.area2 });
 }
 
 std::vector<Id> TriangleMesh::components() const
@@ -403,7 +406,7 @@ std::vector<Id> TriangleMesh::components() const
       stack.pop_back();
       for (const Id corner : this->cornersAt(v))
       {
-        for (const Id w : this->triangle(corner / 3))
+        for (const Id w : this->triangle(faceOf(corner)))
         {
           if (component[w] == NoId)
           {

@@ -44,9 +44,10 @@ struct FaceShape
 /// more faces, bow-tie vertices, inconsistent orientation, zero-area faces.
 ///
 /// A halfedge is one edge of one face, numbered 3 * face + k for the edge from corner k to corner k
-/// + 1 (mod 3). The halfedges of one edge are siblings (after geometry-central) and form a circular
-/// list (nextSibling): a boundary edge has one halfedge, an inner edge two, a non-manifold edge
-/// more; siblings may run in either direction. The mesh stores no other topology.
+/// + 1 (mod 3). A corner has the number of the halfedge that begins there. The halfedges of one
+/// edge are siblings (after geometry-central) and form a circular list (nextSibling): a boundary
+/// edge has one halfedge, an inner edge two, a non-manifold edge more; siblings may run in either
+/// direction. The mesh stores no other topology.
 class TriangleMesh
 {
 public:
@@ -80,12 +81,27 @@ public:
   Id firstFaceFrom(Id input) const;
 
   static Id faceOf(Id halfedge) { return halfedge / 3; }
+  /// Which halfedge of its face it is: 0, 1 or 2.
+  static Id indexInFace(Id halfedge) { return halfedge % 3; }
+  static Id halfedgeOf(Id face, std::size_t index) { return 3 * face + static_cast<Id>(index); }
+  static std::array<Id, 3> halfedgesOf(Id face) { return { 3 * face, 3 * face + 1, 3 * face + 2 }; }
+  /// The same halfedge of a copy of its face, which ranks number differently.
+  static Id inCopy(Id halfedge, Id copy) { return halfedgeOf(copy, indexInFace(halfedge)); }
   /// The next halfedge of the same face, which begins at this one's end.
-  static Id nextInFace(Id halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
-  static Id previousInFace(Id halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
+  static Id nextInFace(Id halfedge)
+  {
+    return indexInFace(halfedge) == 2 ? halfedge - 2 : halfedge + 1;
+  }
+  static Id previousInFace(Id halfedge)
+  {
+    return indexInFace(halfedge) == 0 ? halfedge + 2 : halfedge - 1;
+  }
 
   /// The next halfedge of the same edge; the halfedge itself on a boundary edge.
-  Id nextSibling(Id halfedge) const { return this->faces_[halfedge / 3].nextSibling[halfedge % 3]; }
+  Id nextSibling(Id halfedge) const
+  {
+    return this->faces_[faceOf(halfedge)].nextSibling[indexInFace(halfedge)];
+  }
   bool isBoundary(Id halfedge) const { return this->nextSibling(halfedge) == halfedge; }
   /// Whether the halfedge's edge has exactly two faces.
   bool isInner(Id halfedge) const
@@ -93,11 +109,17 @@ public:
     const Id other = this->nextSibling(halfedge);
     return other != halfedge && this->nextSibling(other) == halfedge;
   }
-  Id origin(Id halfedge) const { return this->faces_[halfedge / 3].corners[halfedge % 3]; }
+  Id origin(Id halfedge) const
+  {
+    return this->faces_[faceOf(halfedge)].corners[indexInFace(halfedge)];
+  }
   Id destination(Id halfedge) const { return this->origin(nextInFace(halfedge)); }
   /// The vertex opposite the halfedge in its face.
   Id opposite(Id halfedge) const { return this->origin(previousInFace(halfedge)); }
-  double length(Id halfedge) const { return this->faces_[halfedge / 3].shape.length[halfedge % 3]; }
+  double length(Id halfedge) const
+  {
+    return this->faces_[faceOf(halfedge)].shape.length[indexInFace(halfedge)];
+  }
   /// The other halfedge of an edge with two faces of the same orientation; otherwise NoId.
   Id acrossOriented(Id halfedge) const
   {
@@ -118,7 +140,7 @@ public:
   /// The corner of a face at a vertex of the face, as the halfedge that begins there.
   Id cornerAt(Id face, Id vertex) const
   {
-    Id corner = 3 * face;
+    Id corner = halfedgeOf(face, 0);
     while (this->origin(corner) != vertex)
     {
       ++corner;
@@ -130,13 +152,13 @@ public:
   /// A halfedge of the edge between two vertices, in either direction; NoId if there is none.
   Id halfedgeBetween(Id a, Id b) const;
 
-  /// The corners (numbered as halfedges: 3 * face + k is corner k) at a vertex.
+  /// The corners at a vertex.
   IdRange cornersAt(Id vertex) const
   {
     const Id* data = this->corners_.data();
     return { data + this->cornerStart_[vertex], data + this->cornerStart_[vertex + 1] };
   }
-  /// The angle of a face at corner 3 * face + k, in radians.
+  /// The angle of a face at a corner, in radians.
   double cornerAngle(Id corner) const;
 
   /// Why a geodesic may bend at a vertex, which makes it a pseudo-source (paper, section 3).

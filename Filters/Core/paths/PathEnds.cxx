@@ -70,13 +70,14 @@ std::optional<Vec2> directionPastVertex(
   const TriangleMesh& mesh, const std::vector<SurfacePoint>& path, Id face)
 {
   const Barycentric end = barycentric(mesh, path.back(), face);
-  const auto largest = static_cast<Id>(std::max_element(end.begin(), end.end()) - end.begin());
-  const NearVertex near = nearVertexAt(mesh, 3 * face + largest, end);
+  const auto largest =
+    static_cast<std::size_t>(std::max_element(end.begin(), end.end()) - end.begin());
+  const NearVertex near = nearVertexAt(mesh, TriangleMesh::halfedgeOf(face, largest), end);
   const auto cornerIn = [&](Id other)
   {
     const Triangle& corners = mesh.triangle(other);
     const auto k = std::find(corners.begin(), corners.end(), near.vertex) - corners.begin();
-    return k < 3 ? 3 * other + static_cast<Id>(k) : NoId;
+    return k < 3 ? TriangleMesh::halfedgeOf(other, static_cast<std::size_t>(k)) : NoId;
   };
   const bool isBeside = near.hasFan() && near.distance > 0.0;
   for (std::size_t i = path.size() - 1; isBeside && i > 0; --i)
@@ -92,7 +93,7 @@ std::optional<Vec2> directionPastVertex(
     {
       return i + 1 < path.size()
         ? std::optional(turned(mesh, directionAround(mesh, cornerIn(face), end, corner, from),
-            cornerIn(face), 3 * face))
+            cornerIn(face), TriangleMesh::halfedgeOf(face, 0)))
         : std::nullopt;
     }
   }
@@ -109,7 +110,7 @@ Vec2 directionFromEnd(const TriangleMesh& mesh, const std::vector<SurfacePoint>&
   {
     return *past;
   }
-  const Id frame = 3 * face;
+  const Id frame = TriangleMesh::halfedgeOf(face, 0);
   const SurfacePoint& before = path[path.size() - 2];
   const Vec2 last =
     wayInFrame(mesh, frame, barycentric(mesh, path.back(), face), barycentric(mesh, before, face));
@@ -207,7 +208,7 @@ const SourceInFace* PathEnds::nearest(
 
 PathEnd PathEnds::onSegment(const LastPiece& piece, const SourceInFace& segment, double place) const
 {
-  const Id frame = 3 * piece.face;
+  const Id frame = TriangleMesh::halfedgeOf(piece.face, 0);
   double side = 0.0;
   if (segment.face == piece.face)
   {
@@ -232,11 +233,12 @@ PathEnd PathEnds::atPoint(const LastPiece& piece, Id number) const
   }
   CurveSectors sectors(this->mesh());
   sectors.assign(around.point, around.ends, at.chain, place);
-  const PlaceOnSide end = sectors.of(3 * piece.face, piece.direction);
+  const Id frame = TriangleMesh::halfedgeOf(piece.face, 0);
+  const PlaceOnSide end = sectors.of(frame, piece.direction);
   DirectionsAround directions(this->mesh());
   directions.assign(around.point, around.ends);
   return this->endAt(
-    end.curve, end.place, directions.angleOf(directions.around(3 * piece.face, piece.direction)));
+    end.curve, end.place, directions.angleOf(directions.around(frame, piece.direction)));
 }
 
 // 0 is the angle of a path without a direction.

@@ -72,7 +72,8 @@ std::vector<Id> facesOfStrip(const MeshPartition& part, const ReplicatedPatch& p
   std::vector<Id> faces;
   for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
   {
-    if (isPassed(3 * face) || isPassed(3 * face + 1) || isPassed(3 * face + 2))
+    const std::array<Id, 3> halfedges = TriangleMesh::halfedgesOf(face);
+    if (std::any_of(halfedges.begin(), halfedges.end(), isPassed))
     {
       faces.push_back(face);
     }

@@ -83,7 +83,7 @@ PathInTransit getInTransit(MessageReader& reader, const MeshPartition& part)
   path.points = { fromFacePoint(part.mesh(), face, reader.get<FacePoint>()) };
   transit.sent = 1;
   static_cast<PathState&>(path) = reader.get<PathState>();
-  path.exit = 3 * face + path.exit % 3;
+  path.exit = TriangleMesh::inCopy(path.exit, face);
   const auto without = reader.get<RankAddress>();
   path.without = without.rank < 0 ? NoId : part.faceAt(without);
   transit.toAsk = reader.getAll<int>();

@@ -110,7 +110,7 @@ double belowThroughHalfedge(
   const TriangleMesh& mesh, Id halfedge, const std::array<double, 3>& d, const WindowRuns& windows)
 {
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
-  const std::size_t k = halfedge % 3;
+  const std::size_t k = TriangleMesh::indexInFace(halfedge);
   const LineOnSegment line(shape.length[k], d[k], d[(k + 1) % 3]);
   return belowOfHalfedge(line, windows) + slackOf(shape, d).below;
 }
@@ -166,9 +166,9 @@ QuickError quickErrorOfFace(const DistanceField& field, Id face, double toleranc
   {
     return error;
   }
-  const Id halfedge = 3 * face;
+  const std::array<Id, 3> halfedges = TriangleMesh::halfedgesOf(face);
   const FaceBounds bounds = boundsOfFace(mesh, face, d,
-    { field.windowsOn(halfedge), field.windowsOn(halfedge + 1), field.windowsOn(halfedge + 2) },
+    { field.windowsOn(halfedges[0]), field.windowsOn(halfedges[1]), field.windowsOn(halfedges[2]) },
     limit);
   double bound = std::max(bounds.above, bounds.below);
   for (const SourceInFace& source : field.sourcesIn(face))
@@ -300,7 +300,7 @@ FaceBounds boundsByBand(const TriangleMesh& mesh, Id face, const std::array<doub
   std::array<bool, 3> staysBelowBand{};
   for (const auto& [list, inBand] : lists)
   {
-    const std::size_t k = list.halfedge % 3;
+    const std::size_t k = TriangleMesh::indexInFace(list.halfedge);
     if (!inBand.staysAboveBand || !(std::abs(list.ends[0] - d[k]) <= rounding) ||
       !(std::abs(list.ends[1] - d[(k + 1) % 3]) <= rounding))
     {
@@ -317,7 +317,7 @@ FaceBounds boundsByWindows(const TriangleMesh& mesh, Id face, const std::array<d
   std::array<std::vector<WindowRange>, 3> ranges;
   for (const auto& [list, inBand] : lists)
   {
-    ranges[list.halfedge % 3].push_back(list.windows.range());
+    ranges[TriangleMesh::indexInFace(list.halfedge)].push_back(list.windows.range());
   }
   std::array<WindowRuns, 3> windows;
   for (std::size_t k = 0; k < 3; ++k)

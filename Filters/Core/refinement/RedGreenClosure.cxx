@@ -95,7 +95,9 @@ void RedGreenClosure::send(int rank, Kind kind, Id edge)
   const Id halfedge = this->mesh_.edgeData(ancestor).halfedge;
   const RankAddress face = this->part_.addressOf(TriangleMesh::faceOf(halfedge));
   Message& message = this->messages_[rankIndex(rank)];
-  put(message, Entry{ kind, this->round_, face, halfedge % 3, static_cast<Id>(path.size()) });
+  put(message,
+    Entry{ kind, this->round_, face, TriangleMesh::indexInFace(halfedge),
+      static_cast<Id>(path.size()) });
   std::reverse(path.begin(), path.end());
   put(message, path.data(), path.size());
 }

@@ -41,7 +41,7 @@ Id RedGreenMesh::ensureEdge(Id triangle, Id k)
   {
     return existing;
   }
-  const Id halfedge = this->mesh_.edgeOf(3 * triangle + k);
+  const Id halfedge = this->mesh_.edgeOf(TriangleMesh::halfedgeOf(triangle, k));
   const Id edge = this->addEdge(this->mesh_.origin(halfedge), this->mesh_.destination(halfedge),
     NoId, halfedge, TriangleMesh::faceOf(halfedge));
   Id around = halfedge;
@@ -53,7 +53,7 @@ Id RedGreenMesh::ensureEdge(Id triangle, Id k)
       this->redOfFace_[face] = static_cast<Id>(this->redFaces_.size());
       this->redFaces_.push_back({ face, this->mesh_.triangle(face) });
     }
-    this->red(face).edges[around % 3] = edge;
+    this->red(face).edges[TriangleMesh::indexInFace(around)] = edge;
     around = this->mesh_.nextSibling(around);
   } while (around != halfedge);
   return edge;

@@ -145,7 +145,7 @@ std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& po
       continue;
     }
     const RankAddress face = part.addressOf(TriangleMesh::faceOf(place.id));
-    const PointMessage sent = { face, place.id % 3, i, place.u };
+    const PointMessage sent = { face, TriangleMesh::indexInFace(place.id), i, place.u };
     PointsAtPlace& at = places[sent.place()];
     at.here.push_back(i);
     if (isKnown && at.there.id == NoId)

@@ -15,7 +15,7 @@ namespace
 template <typename Visit>
 void forEachNeighbour(const TriangleMesh& mesh, Id face, const Visit& visit)
 {
-  for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
+  for (const Id halfedge : TriangleMesh::halfedgesOf(face))
   {
     for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
     {

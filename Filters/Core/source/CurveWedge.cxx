@@ -31,7 +31,7 @@ FaceDirection inOwnFace(const TriangleMesh& mesh, const SegmentEnd& end, std::si
   {
     k = (k + 1) % 3;
   }
-  const Id halfedge = 3 * end.face + static_cast<Id>(k);
+  const Id halfedge = TriangleMesh::halfedgeOf(end.face, k);
   const Vec2 d = directionIn(mesh, end, halfedge);
   const double length = norm(d);
   return { halfedge, length > 0.0 ? (1.0 / length) * d : d };
@@ -47,7 +47,7 @@ void add(const FaceDirection& bound, CurveWedge& wedge)
 void addAroundEdge(const TriangleMesh& mesh, const SegmentEnd& end, CurveWedge& wedge)
 {
   const Id halfedge = mesh.siblingInFace(end.from.id, end.face);
-  const FaceDirection own = inOwnFace(mesh, end, halfedge % 3);
+  const FaceDirection own = inOwnFace(mesh, end, TriangleMesh::indexInFace(halfedge));
   add(own, wedge);
   for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
   {
@@ -64,7 +64,7 @@ void addAroundVertex(
   for (const SegmentEnd& end : ends)
   {
     const Id corner = mesh.cornerAt(end.face, end.from.id);
-    const FaceDirection own = inOwnFace(mesh, end, corner % 3);
+    const FaceDirection own = inOwnFace(mesh, end, TriangleMesh::indexInFace(corner));
     add(own, wedge);
     if (own.halfedge == corner) // else it has no length: its neighbours emit too, in vain
     {

@@ -35,7 +35,7 @@ void DirectionsAround::assign(const SurfacePoint& point, const std::vector<Segme
   switch (point.kind)
   {
     case SurfacePoint::Kind::Face:
-      this->frames_.push_back({ 3 * point.id, 0.0, false, 0 });
+      this->frames_.push_back({ TriangleMesh::halfedgeOf(point.id, 0), 0.0, false, 0 });
       this->fans_.push_back({ 0.0, FullAngle, true });
       break;
     case SurfacePoint::Kind::Edge:
@@ -79,7 +79,8 @@ void DirectionsAround::addFanOfEdge(Id halfedge)
     [](const Frame& a, const Frame& b) { return a.halfedge < b.halfedge; });
   const bool isClosed = this->frames_.size() > 1;
   this->fans_.push_back({ 0.0, isClosed ? FullAngle : Pi, isClosed });
-  const Vec2 axis = turned(this->mesh_, { 1.0, 0.0 }, first, first - first % 3);
+  const Id firstOfFace = TriangleMesh::halfedgeOf(TriangleMesh::faceOf(first), 0);
+  const Vec2 axis = turned(this->mesh_, { 1.0, 0.0 }, first, firstOfFace);
   this->toAxis_ = polarAngle(axis);
 }
 
@@ -128,8 +129,9 @@ DirectionsAround::Stop DirectionsAround::beside(const Stop& stop, bool isClockwi
 // The index of a face's frame; None if the face is not around the point.
 std::size_t DirectionsAround::indexOf(Id face) const
 {
-  const auto frame = std::lower_bound(this->frames_.begin(), this->frames_.end(), 3 * face,
-    [](const Frame& f, Id halfedge) { return f.halfedge < halfedge; });
+  const auto frame =
+    std::lower_bound(this->frames_.begin(), this->frames_.end(), TriangleMesh::halfedgeOf(face, 0),
+      [](const Frame& f, Id halfedge) { return f.halfedge < halfedge; });
   const bool isThere =
     frame != this->frames_.end() && TriangleMesh::faceOf(frame->halfedge) == face;
   return isThere ? static_cast<std::size_t>(frame - this->frames_.begin()) : None;
@@ -149,7 +151,11 @@ FaceDirection DirectionsAround::inFrame(const FaceDirection& from) const
     {
       return at;
     }
-    for (Id own = 3 * face; own < 3 * face + 3 && (n == 0 || isThin(own)); ++own)
+    if (n > 0 && !isThin(at.halfedge))
+    {
+      continue;
+    }
+    for (const Id own : TriangleMesh::halfedgesOf(face))
     {
       const FaceDirection d = { own, turned(this->mesh_, at, own) };
       for (Id s = this->mesh_.nextSibling(own); s != own; s = this->mesh_.nextSibling(s))
@@ -236,7 +242,7 @@ DirectionsAround::Axis DirectionsAround::axis() const
   if (this->point_.kind != SurfacePoint::Kind::Vertex)
   {
     const Id face = TriangleMesh::faceOf(this->frames_.front().halfedge);
-    return { 3 * face, false };
+    return { TriangleMesh::halfedgeOf(face, 0), false };
   }
   const auto begin = std::find_if(this->frames_.begin(), this->frames_.end(),
     [this](const Frame& frame)

@@ -24,8 +24,9 @@ NearVertex nearVertexAt(const TriangleMesh& mesh, Id corner, const Barycentric& 
     }
   }
   const Id opposite = TriangleMesh::nextInFace(corner);
-  const double ofFirst = point[(corner + 1) % 3];
-  const double ofSecond = point[(corner + 2) % 3];
+  const std::size_t k = TriangleMesh::indexInFace(corner);
+  const double ofFirst = point[(k + 1) % 3];
+  const double ofSecond = point[(k + 2) % 3];
   return { alone.vertex, distance, opposite,
     mesh.length(opposite) * (ofSecond / (ofFirst + ofSecond)) };
 }
@@ -33,9 +34,9 @@ NearVertex nearVertexAt(const TriangleMesh& mesh, Id corner, const Barycentric& 
 Vec2 fromCorner(const TriangleMesh& mesh, Id corner, const Barycentric& point)
 {
   const Vec2 second = apexOf(mesh, corner);
-  const double ofSecond = point[(corner + 2) % 3];
-  return { point[(corner + 1) % 3] * mesh.length(corner) + ofSecond * second.x,
-    ofSecond * second.y };
+  const std::size_t k = TriangleMesh::indexInFace(corner);
+  const double ofSecond = point[(k + 2) % 3];
+  return { point[(k + 1) % 3] * mesh.length(corner) + ofSecond * second.x, ofSecond * second.y };
 }
 
 double totalAngle(const TriangleMesh& mesh, Id vertex)

@@ -56,7 +56,7 @@ bool isBesideHalfedge(Vec2 point, double length)
 
 bool isOn(const Barycentric& point, Id halfedge)
 {
-  return point[(halfedge + 2) % 3] == 0.0;
+  return point[(TriangleMesh::indexInFace(halfedge) + 2) % 3] == 0.0;
 }
 
 /// Adds the circular windows of a point through the halfedges of one face.
@@ -348,7 +348,7 @@ void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source,
 {
   PointEmitter emitter{ mesh, source, from, result, {} };
   std::array<bool, 3> isDone = {};
-  for (Id corner = 3 * source.face; corner < 3 * source.face + 3; ++corner)
+  for (const Id corner : TriangleMesh::halfedgesOf(source.face))
   {
     const NearVertex near = nearVertexAt(mesh, corner, source.a);
     if (near.hasFan() && near.distance > 0.0)
@@ -366,12 +366,12 @@ void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source,
         emitter.sendAround(near, other, mesh.cornerAngle(corner) - turn,
           isMirrored ? Window::Kind::CircularAround : Window::Kind::Circular);
       }
-      isDone[corner % 3] = isDone[other % 3] = true;
+      isDone[TriangleMesh::indexInFace(corner)] = isDone[TriangleMesh::indexInFace(other)] = true;
     }
   }
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const Id halfedge = 3 * source.face + static_cast<Id>(k);
+    const Id halfedge = TriangleMesh::halfedgeOf(source.face, k);
     if (!isOn(source.a, halfedge) && !isDone[k] && !mesh.isBoundary(halfedge) &&
       mesh.length(halfedge) > 0.0)
     {

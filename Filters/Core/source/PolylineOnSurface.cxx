@@ -74,9 +74,13 @@ bool areJoined(const TriangleMesh& mesh, const SurfacePoint& from, const Surface
     {
       return true;
     }
-    for (Id k = 3 * face; k < 3 * face + 3 && mesh.shape(face).hasZeroArea(); ++k)
+    if (!mesh.shape(face).hasZeroArea())
     {
-      for (Id s = mesh.nextSibling(k); s != k; s = mesh.nextSibling(s))
+      continue;
+    }
+    for (const Id halfedge : TriangleMesh::halfedgesOf(face))
+    {
+      for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
       {
         reach(TriangleMesh::faceOf(s));
       }

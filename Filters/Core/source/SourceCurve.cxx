@@ -47,7 +47,7 @@ std::vector<SourceInFace> segmentsInFaces(
     const SourceInFace segment = segments.back();
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const Id halfedge = 3 * segment.face + static_cast<Id>(k);
+      const Id halfedge = TriangleMesh::halfedgeOf(segment.face, k);
       for (Id s = mesh.nextSibling(halfedge); runsAlong(k, segment.a, segment.b) && s != halfedge;
            s = mesh.nextSibling(s))
       {

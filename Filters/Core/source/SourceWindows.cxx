@@ -34,7 +34,7 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFac
   Vec2 to = inLeavingFrame(mesh, halfedge, segment.b);
   // Rays go up; they leave to the left of a segment that runs from left to right.
   const bool isRight = from.x > to.x;
-  if (!isSideOf(halfedge % 3, segment, isRight))
+  if (!isSideOf(TriangleMesh::indexInFace(halfedge), segment, isRight))
   {
     return;
   }
@@ -211,7 +211,7 @@ private:
       if (isNear)
       {
         this->result_.nearVertices.push_back(
-          nearVertexAt(this->mesh_, 3 * face + static_cast<Id>(k), b));
+          nearVertexAt(this->mesh_, TriangleMesh::halfedgeOf(face, k), b));
       }
     }
   }
@@ -238,7 +238,7 @@ std::vector<LeavingWindow> windowsOfPart(
   for (const LeavingWindow& leaving : windows)
   {
     const Id face = patch.faceOfPart(TriangleMesh::faceOf(leaving.halfedge));
-    const Id halfedge = face != NoId ? 3 * face + leaving.halfedge % 3 : NoId;
+    const Id halfedge = face != NoId ? TriangleMesh::inCopy(leaving.halfedge, face) : NoId;
     if (halfedge != NoId && isNeeded(halfedge))
     {
       result.push_back({ halfedge, leaving.window });
@@ -262,7 +262,7 @@ std::vector<NearVertex> nearVerticesOfPart(
       continue;
     }
     const Id face = near.hasFan() ? patch.faceOfPart(TriangleMesh::faceOf(near.halfedge)) : NoId;
-    near.halfedge = face != NoId ? 3 * face + near.halfedge % 3 : NoId;
+    near.halfedge = face != NoId ? TriangleMesh::inCopy(near.halfedge, face) : NoId;
     result.push_back(near);
   }
   return result;
@@ -339,7 +339,7 @@ void addSegmentWindows(
 {
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const Id halfedge = 3 * segment.face + static_cast<Id>(k);
+    const Id halfedge = TriangleMesh::halfedgeOf(segment.face, k);
     if (!runsAlong(k, segment.a, segment.b) && !mesh.isBoundary(halfedge) &&
       mesh.length(halfedge) > 0.0)
     {
@@ -352,7 +352,7 @@ LeavingWindow vertexWindow(const TriangleMesh& mesh, Id corner, double sigma)
 {
   const Id halfedge = TriangleMesh::nextInFace(corner);
   const double length = mesh.length(halfedge);
-  const Vec2 p = inLeavingFrame(mesh, halfedge, cornerWeights(corner % 3));
+  const Vec2 p = inLeavingFrame(mesh, halfedge, cornerWeights(TriangleMesh::indexInFace(corner)));
   const double depth = std::max(-p.y, tolerance::SourceDepth * length);
   return { halfedge, { 0.0, length, p.x, depth, sigma, 0.0, Window::Kind::Circular, 0 } };
 }

@@ -29,7 +29,8 @@ TurnAroundPoint::TurnAroundPoint(const TriangleMesh& mesh, const SurfacePoint& p
   {
     const Id halfedge = mesh.siblingInFace(point.id, face);
     const Barycentric b = barycentric(mesh, point, face);
-    this->first_ = { halfedge, b[(halfedge + 1) % 3] * mesh.length(halfedge) };
+    const std::size_t end = (TriangleMesh::indexInFace(halfedge) + 1) % 3;
+    this->first_ = { halfedge, b[end] * mesh.length(halfedge) };
   }
   this->place_ = this->first_;
 }

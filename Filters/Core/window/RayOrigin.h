@@ -12,8 +12,8 @@ namespace geodesic
 /// of a curve, or at a point of a curve on one of the curve's sides. Left and right are as seen
 /// along the curve by a viewer towards whom the normal of the segment's face points.
 ///
-/// An origin on a curve also knows whether the frame of the window's halfedge is a mirror image of
-/// the frame that the curve was seen in, as between faces of opposite orientation.
+/// An origin on a curve also knows whether the frame of the window's halfedge is mirrored, so that
+/// left is right there and angles around the point grow clockwise.
 class RayOrigin
 {
 public:

@@ -98,7 +98,7 @@ struct UnfoldedFace
 inline UnfoldedFace unfold(const TriangleMesh& mesh, Id halfedge)
 {
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
-  const std::size_t k = halfedge % 3;
+  const std::size_t k = TriangleMesh::indexInFace(halfedge);
   const std::size_t next = (k + 1) % 3;
   UnfoldedFace face;
   face.length = shape.length[k];

@@ -42,7 +42,7 @@ std::vector<BoundaryEdge> boundaryOf(const MeshPartition& partition)
   std::vector<BoundaryEdge> edges;
   for (Id face = partition.firstOwnFace(); face < partition.endOfOwnFaces(); ++face)
   {
-    for (Id h = 3 * face; h < 3 * face + 3; ++h)
+    for (const Id h : TriangleMesh::halfedgesOf(face))
     {
       if (mesh.isBoundary(h))
       {

@@ -203,8 +203,9 @@ SurfaceReport reportOfAllRanks(SurfaceReport own, const MeshPartition& partition
     return own;
   }
   // An edge counts on the rank that owns its first face.
-  const Id end = 3 * partition.endOfOwnFaces();
-  for (Id halfedge = 3 * partition.firstOwnFace(); halfedge < end; ++halfedge)
+  const Id end = TriangleMesh::halfedgeOf(partition.endOfOwnFaces(), 0);
+  for (Id halfedge = TriangleMesh::halfedgeOf(partition.firstOwnFace(), 0); halfedge < end;
+       ++halfedge)
   {
     own.edges += mesh.edgeOf(halfedge) == halfedge ? 1 : 0;
   }

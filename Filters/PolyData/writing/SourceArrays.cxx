@@ -371,8 +371,8 @@ void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBloc
 {
   const MeshPartition& part = surface.partition;
   const TriangleMesh& mesh = surface.mesh();
-  Id halfedge = 3 * part.firstOwnFace();
-  const Id end = 3 * part.endOfOwnFaces();
+  Id halfedge = TriangleMesh::halfedgeOf(part.firstOwnFace(), 0);
+  const Id end = TriangleMesh::halfedgeOf(part.endOfOwnFaces(), 0);
   while (halfedge < end && (mesh.isBoundary(halfedge) || mesh.acrossOriented(halfedge) != NoId))
   {
     ++halfedge;

@@ -363,7 +363,8 @@ std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface)
     {
       const Id edge = found[i].edgeBetween(
         faces.vertex(edges[i][0]).globalId, faces.vertex(edges[i][1]).globalId);
-      put(messages[rankIndex(found[i].address.rank)], 3 * found[i].address.id + edge);
+      put(messages[rankIndex(found[i].address.rank)],
+        TriangleMesh::halfedgeOf(found[i].address.id, edge));
     }
   }
   readEach(surface.exchange().step(std::move(messages)),
