@@ -111,7 +111,7 @@ public:
   bool isImprovedBy(Id vertex, double distance, bool hasArrival = true) const
   {
     return distance < this->distance(vertex) ||
-      (hasArrival && this->isArrivalWanted(vertex, distance));
+      (hasArrival && !this->arrivals_.empty() && this->isArrivalWanted(vertex, distance));
   }
 
   /// Accepts a path if it is shorter than the known one. \returns whether it was.
@@ -185,14 +185,10 @@ private:
   // windows have no such ties: their paths are longer than their distances.
   bool isArrivalWanted(Id vertex, double distance) const
   {
-    if (this->arrivals_.empty())
-    {
-      return false;
-    }
     const Arrival& known = this->arrivals_[vertex];
-    return distance <= this->distance(vertex) * (1.0 + tolerance::Tie)
-      ? !known.isKnown() || (this->errors_.empty() && isBent(this->mesh_, known))
-      : !known.isKnown() && distance <= this->distance(vertex) + this->tieAround(vertex);
+    const bool isTie = distance <= this->distance(vertex) * (1.0 + tolerance::Tie);
+    return known.isKnown() ? isTie && this->errors_.empty() && isBent(this->mesh_, known)
+                           : isTie || distance <= this->distance(vertex) + this->tieAround(vertex);
   }
   bool isBetterArrival(const DistanceUpdate& update, double distance) const
   {
