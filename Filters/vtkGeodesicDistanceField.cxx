@@ -344,25 +344,25 @@ public:
     const PowerOfTwoScale& scale = this->Execution.surface().scale;
     const std::string most = std::to_string(this->Self->MaximumNumberOfCells);
     std::ostringstream text;
-    text << "he refined surface meets a tolerance of " << scale.toUser(bound) << " instead of "
+    text << " refined surface meets a tolerance of " << scale.toUser(bound) << " instead of "
          << scale.toUser(this->Tolerance());
     const std::string met = text.str();
     if (refined.stoppedAtMaximum)
     {
       this->Execution.notes().add(NoteOn::Surface, "reached " + most,
-        "MaximumNumberOfCells (" + most + ") is reached: t" + met +
+        "MaximumNumberOfCells (" + most + ") is reached: the" + met +
           ". Raise MaximumNumberOfCells or the tolerance.");
     }
     else if (bound > this->Tolerance() && refined.errorBound > this->ToleranceOfInterpolant())
     {
       this->Execution.notes().add(NoteOn::Surface, "rounding",
-        'T' + met + ", which is near the rounding of distances. Raise the tolerance.");
+        "The" + met + ", which is near the rounding of distances. Raise the tolerance.");
     }
     else if (bound > this->Tolerance())
     {
       const bool isSingle = this->Self->OutputPointsPrecision == SINGLE_PRECISION;
       std::ostringstream displaced;
-      displaced << 'T' << met << ", as points are up to "
+      displaced << "The" << met << ", as points are up to "
                 << scale.toUser(bound - refined.errorBound)
                 << (isSingle ? AdviceOnSinglePrecision : AdviceOnCoordinates);
       this->Execution.notes().add(NoteOn::Surface, "displacement", displaced.str());

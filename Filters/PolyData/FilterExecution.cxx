@@ -68,17 +68,20 @@ void FilterExecution::readInputs(const std::vector<Stage>& next, bool supportsPi
   this->stages_ = { Stage::ReadSurface, Stage::LocateSource, Stage::JoinSource };
   this->stages_.insert(this->stages_.end(), next.begin(), next.end());
   const Job reading = this->begin(Stage::ReadSurface);
-  this->surfaceBlocks_ = polyDataBlocks(this->surfaceInput_, "the surface (input port 0)");
+  this->surfaceBlocks_ =
+    polyDataBlocks(this->surfaceInput_, PartName("the surface (input port 0)"));
   findBarrierArrays(this->surfaceBlocks_, this->filter_->GetBarrierArrayName(), this->exchange_);
   if (this->sourceInput_)
   {
     const bool isSource = this->filter_->GetSourceType() != vtkGeodesicAlgorithm::SURFACE_BOUNDARY;
     const char* idArray = isSource ? this->filter_->GetSourceIdArrayName() : nullptr;
-    this->gatheredSource_ = gatherBlocks(
-      sourceBlocks(this->sourceInput_, SourceName, idArray), SourceName, this->exchange_);
+    const PartName name(SourceName);
+    this->gatheredSource_ =
+      gatherBlocks(sourceBlocks(this->sourceInput_, name, idArray), name, this->exchange_);
   }
+  const PartName targets(TargetsName);
   this->gatheredTargets_ = this->targetsInput_
-    ? gatherBlocks(targetBlocks(this->targetsInput_, TargetsName), TargetsName, this->exchange_)
+    ? gatherBlocks(targetBlocks(this->targetsInput_, targets), targets, this->exchange_)
     : this->gatheredSource_;
   this->findSurface(supportsPieces);
   if (this->place_ == SurfacePlace::OnOtherRank)
@@ -160,8 +163,8 @@ void FilterExecution::requireTargets(bool sourcesAreTargets) const
 Targets FilterExecution::readTargets()
 {
   const Job job = this->begin(Stage::ReadTargets);
-  const std::string name =
-    this->targetsInput_ ? TargetsName : "the set of targets (points of input port 1)";
+  const PartName name(
+    this->targetsInput_ ? TargetsName : "the set of targets (points of input port 1)");
   const std::vector<PolyDataBlock>& blocks = this->gatheredTargets_.blocks;
   Targets targets =
     geodesic::readTargets(blocks, name, this->surface(), this->cache_.locator(), job);

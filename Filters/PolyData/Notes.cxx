@@ -27,19 +27,12 @@ constexpr double FarSourceFraction = 0.01;
 // Enough to find the others by.
 constexpr std::size_t PointsNamed = 3;
 
-/// "point 3 of cell 2", as the message has named the source.
-std::string shortNameOfPoint(const LocatedPolyline& line, std::size_t point)
-{
-  const std::string name = line.nameOfPoint(point);
-  return name.substr(0, name.rfind(" of the source"));
-}
-
 /// The points of an input that are farther from the surface than they should be.
 struct FarPoints
 {
   std::size_t count = 0;
   std::size_t ofAll = 0;
-  /// The names of the first ones.
+  /// The first ones, without the input, which the message has named.
   std::vector<std::string> names;
   /// On the mesh's scale.
   double largestDistance = 0.0;
@@ -67,7 +60,7 @@ FarPoints farPointsOf(
       }
       if (far.count++ < PointsNamed)
       {
-        far.names.push_back(shortNameOfPoint(line, i));
+        far.names.push_back(line.nameOfPoint(i).withoutInput());
       }
     }
   }
@@ -83,9 +76,7 @@ std::string nameOfTarget(const std::vector<PolyDataBlock>& blocks, std::size_t n
   {
     point -= block->data->GetNumberOfPoints();
   }
-  const std::size_t end = block->name.rfind(" of the set of targets");
-  return "point " + std::to_string(point) +
-    (end == std::string::npos ? "" : " of " + block->name.substr(0, end));
+  return block->name.part("point", point).withoutInput();
 }
 
 /// "The source is", or what the subject is else, and how far it is away.

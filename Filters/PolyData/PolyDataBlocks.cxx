@@ -43,12 +43,12 @@ const char* const NoPoints =
 /// \param whatToDo where it is of another type.
 /// \throws InputError
 template <typename Type>
-Type* requireType(vtkDataObject* data, const std::string& name, const char* whatToDo)
+Type* requireType(vtkDataObject* data, const PartName& name, const char* whatToDo)
 {
   auto* result = Type::SafeDownCast(data);
   if (!result)
   {
-    throw InputError(capitalized(name) + " is a " + data->GetClassName() + whatToDo);
+    throw InputError(name.atBeginning() + " is a " + data->GetClassName() + whatToDo);
   }
   return result;
 }
@@ -61,7 +61,7 @@ Type* requireType(vtkDataObject* data, const std::string& name, const char* what
 /// \param firstCell number of the first of these cells in the data set.
 /// \throws InputError that names the first cell that cannot be read.
 void requireReadable(
-  vtkCellArray* cells, const std::string& kind, vtkIdType firstCell, const std::string& name)
+  vtkCellArray* cells, const std::string& kind, vtkIdType firstCell, const PartName& name)
 {
   if (cells->IsValid()) // the rule, which is quick
   {
@@ -73,7 +73,7 @@ void requireReadable(
   const vtkIdType numberOfIds = cells->GetConnectivityArray()->GetNumberOfValues();
   if (count < 0)
   {
-    throw InputError(capitalized(name) + " has " + kind +
+    throw InputError(name.atBeginning() + " has " + kind +
       " with an offsets array that is empty, so that cell " + std::to_string(firstCell) +
       " cannot be read: it needs one value more than there are cells" + advice);
   }
@@ -83,7 +83,7 @@ void requireReadable(
     const auto end = static_cast<vtkIdType>(offsets->GetComponent(cell + 1, 0));
     if (begin < 0 || end < begin || end > numberOfIds)
     {
-      throw InputError("Cell " + std::to_string(firstCell + cell) + " of " + name +
+      throw InputError(name.part("cell", firstCell + cell).atBeginning() +
         " cannot be read: the offsets of the " + kind + " (number " + std::to_string(cell) +
         " of these) say that its point ids go from " + std::to_string(begin) + " to " +
         std::to_string(end) + ", where offsets never decrease and lie between 0 and " +
@@ -106,19 +106,19 @@ vtkDataArray* cellTypesOf(Grid* grid, long)
   return grid->GetCellTypesArray();
 }
 
-void requireTypes(vtkUnstructuredGrid* grid, const std::string& name)
+void requireTypes(vtkUnstructuredGrid* grid, const PartName& name)
 {
   const vtkDataArray* types = cellTypesOf(grid, 0);
   const vtkIdType count = types ? types->GetNumberOfValues() : 0;
   if (count < grid->GetNumberOfCells())
   {
-    throw InputError("Cell " + std::to_string(count) + " of " + name +
-      " has no type: there are types of " + std::to_string(count) + " cells only, of " +
-      std::to_string(grid->GetNumberOfCells()) + ". Repair the cells upstream.");
+    throw InputError(name.part("cell", count).atBeginning() + " has no type: there are types of " +
+      std::to_string(count) + " cells only, of " + std::to_string(grid->GetNumberOfCells()) +
+      ". Repair the cells upstream.");
   }
 }
 
-PolyDataBlock surfaceBlock(vtkDataObject* data, const std::string& name)
+PolyDataBlock surfaceBlock(vtkDataObject* data, const PartName& name)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
@@ -159,7 +159,7 @@ std::vector<vtkIdType> originalPointsOf(vtkPointSet* data)
   return ids;
 }
 
-PolyDataBlock targetBlock(vtkDataObject* data, const std::string& name)
+PolyDataBlock targetBlock(vtkDataObject* data, const PartName& name)
 {
   auto* pointSet = requireType<vtkPointSet>(data, name, NoPoints);
   const auto points = vtkSmartPointer<vtkPolyData>::New();
@@ -199,7 +199,7 @@ void addVerticesAndLines(vtkUnstructuredGrid* grid, PolyDataBlock& block)
   block.data->SetLines(lines);
 }
 
-PolyDataBlock sourceBlock(vtkDataObject* data, const std::string& name)
+PolyDataBlock sourceBlock(vtkDataObject* data, const PartName& name)
 {
   if (auto* polyData = vtkPolyData::SafeDownCast(data))
   {
@@ -251,7 +251,7 @@ void forEachBlock(vtkCompositeDataSet* data, Visit&& visit)
 
 /// \param read makes a block of a data set and its name.
 template <typename Read>
-std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const std::string& name, Read&& read)
+std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const PartName& name, Read&& read)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   if (!composite)
@@ -261,7 +261,7 @@ std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const std::string& nam
   std::vector<PolyDataBlock> blocks;
   forEachBlock(composite,
     [&](vtkCompositeDataIterator*, vtkDataObject* block, const std::string& ownName)
-    { blocks.push_back(read(block, ownName + " of " + name)); });
+    { blocks.push_back(read(block, name.part(ownName))); });
   return blocks;
 }
 
@@ -289,13 +289,13 @@ vtkDataArray* requireSourceIds(vtkDataSet* data, const PolyDataBlock& block, con
   if (!any)
   {
     const std::string other = areOfPoints ? "cell" : "point";
-    throw InputError(capitalized(block.name) + " has no " + kind + named +
+    throw InputError(block.name.atBeginning() + " has no " + kind + named +
       ", by which SourceIdArrayName names its parts" +
       (find(!areOfPoints) ? ", but a " + other + named : "") +
       ". A set of points needs an array of its points, everything else one of its cells.");
   }
   const std::string begin =
-    "The " + kind + " array " + array + " (SourceIdArrayName) of " + block.name;
+    "The " + kind + " array " + array + " (SourceIdArrayName) of " + block.name.text();
   auto* values = vtkDataArray::SafeDownCast(any);
   if (!values || values->GetDataType() == VTK_FLOAT || values->GetDataType() == VTK_DOUBLE)
   {
@@ -342,7 +342,7 @@ std::vector<vtkIdType> readSourceIds(
 /// As messages call an array of barriers.
 std::string nameOfBarriers(const PolyDataBlock& block, const std::string& name)
 {
-  return "The cell array " + name + " (BarrierArrayName) of " + block.name;
+  return "The cell array " + name + " (BarrierArrayName) of " + block.name.text();
 }
 
 /// The cells of the input that are faces, in their order.
@@ -436,7 +436,8 @@ vtkSmartPointer<vtkCellArray> getCells(MessageReader& reader)
 
 void putBlock(const PolyDataBlock& block, Message& message)
 {
-  putAll(message, std::vector<char>(block.name.begin(), block.name.end()));
+  const std::string& part = block.name.withoutInput();
+  putAll(message, std::vector<char>(part.begin(), part.end()));
   vtkPolyData* data = block.data;
   const vtkIdType count = data->GetNumberOfPoints();
   put(message, block.precision() == FLT_EPSILON ? VTK_FLOAT : VTK_DOUBLE);
@@ -458,15 +459,19 @@ void putBlock(const PolyDataBlock& block, Message& message)
   putAll(message, block.originalPoints);
 }
 
-/// Adds the blocks of a message to others. \returns how many points they have.
+/// Adds the blocks of a message to others.
+///
+/// \param input as messages call what they are blocks of.
+/// \returns how many points they have.
 std::size_t takeBlocks(
-  const Message& message, const std::string& suffix, std::vector<PolyDataBlock>& blocks)
+  const Message& message, const PartName& input, std::vector<PolyDataBlock>& blocks)
 {
   std::size_t numberOfPoints = 0;
   MessageReader reader(message);
   while (!reader.isAtEnd())
   {
-    const auto name = reader.getAll<char>();
+    const auto chars = reader.getAll<char>();
+    const std::string part(chars.begin(), chars.end());
     const auto data = vtkSmartPointer<vtkPolyData>::New();
     vtkNew<vtkPoints> points;
     points->SetDataType(reader.get<int>());
@@ -482,7 +487,7 @@ std::size_t takeBlocks(
     data->SetPolys(getCells(reader));
     data->SetStrips(getCells(reader));
     auto inputCells = reader.getAll<vtkIdType>();
-    blocks.push_back({ data, std::string(name.begin(), name.end()) + suffix, std::move(inputCells),
+    blocks.push_back({ data, part.empty() ? input : input.part(part), std::move(inputCells),
       reader.get<vtkIdType>() });
     blocks.back().sourceIds = reader.getAll<vtkIdType>();
     blocks.back().originalPoints = reader.getAll<vtkIdType>();
@@ -497,12 +502,6 @@ double PolyDataBlock::precision() const
   const bool isFloat =
     this->data->GetNumberOfPoints() > 0 && this->data->GetPoints()->GetDataType() == VTK_FLOAT;
   return isFloat ? FLT_EPSILON : DBL_EPSILON;
-}
-
-std::string capitalized(std::string name)
-{
-  name[0] = name[0] == 'b' ? 'B' : 'T';
-  return name;
 }
 
 std::string listIds(const std::vector<vtkIdType>& ids)
@@ -534,20 +533,20 @@ std::string whereNotFinite(const PolyDataBlock& block, const char* isUsed)
   }
   return bad.empty()
     ? std::string()
-    : capitalized(block.name) + " has coordinates that are NaN or infinite, at point " +
+    : block.name.atBeginning() + " has coordinates that are NaN or infinite, at point " +
       listIds(bad) + ". Remove or repair these points upstream.";
 }
 
-std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const std::string& name)
+std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const PartName& name)
 {
   return blocksOf(input, name, surfaceBlock);
 }
 
 std::vector<PolyDataBlock> sourceBlocks(
-  vtkDataObject* input, const std::string& name, const char* idArray)
+  vtkDataObject* input, const PartName& name, const char* idArray)
 {
   return blocksOf(input, name,
-    [idArray](vtkDataObject* data, const std::string& ownName)
+    [idArray](vtkDataObject* data, const PartName& ownName)
     {
       PolyDataBlock block = sourceBlock(data, ownName);
       block.sourceIds = readSourceIds(vtkDataSet::SafeDownCast(data), block, idArray);
@@ -555,7 +554,7 @@ std::vector<PolyDataBlock> sourceBlocks(
     });
 }
 
-std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const std::string& name)
+std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const PartName& name)
 {
   return blocksOf(input, name, targetBlock);
 }
@@ -614,7 +613,7 @@ std::vector<vtkPolyData*> makeBlocksLike(vtkDataObject* input, vtkDataObject* ou
 }
 
 GatheredBlocks gatherBlocks(
-  const std::vector<PolyDataBlock>& own, const std::string& name, Exchange& exchange)
+  const std::vector<PolyDataBlock>& own, const PartName& name, Exchange& exchange)
 {
   GatheredBlocks gathered;
   if (exchange.numberOfRanks() == 1)
@@ -636,10 +635,9 @@ GatheredBlocks gatherBlocks(
   const bool areCopies = std::count(all.begin(), all.end(), all.front()) == ranks;
   for (std::size_t rank = 0; rank < (areCopies ? 1 : all.size()); ++rank)
   {
-    const std::string suffix =
-      isOnOneRank || areCopies ? std::string() : " on rank " + std::to_string(rank);
+    const PartName input = isOnOneRank || areCopies ? name : name.onRank(static_cast<int>(rank));
     gathered.firstPointOfRank.push_back(
-      gathered.firstPointOfRank.back() + takeBlocks(all[rank], suffix, gathered.blocks));
+      gathered.firstPointOfRank.back() + takeBlocks(all[rank], input, gathered.blocks));
   }
   if (gathered.blocks.empty())
   {

@@ -4,6 +4,7 @@
 
 #include "Errors.h"
 #include "Exchange.h"
+#include "source/PartName.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -31,9 +32,8 @@ public:
 struct PolyDataBlock
 {
   vtkSmartPointer<vtkPolyData> data;
-  /// As messages call it: "the surface (input port 0)", or
-  /// "block 3 (wing) of the surface (input port 0)".
-  std::string name;
+  /// "the surface (input port 0)", or "block 3 (wing) of the surface (input port 0)".
+  PartName name;
   /// The number that each cell of data has in the input, where these differ: a vtkPolyData has its
   /// vertices before its lines, and a cell of a grid may be several here. Empty where they are the
   /// same.
@@ -83,7 +83,7 @@ constexpr vtkIdType SourceIdEnd = static_cast<vtkIdType>(
 /// \param name as messages call the input.
 /// \throws InputError where the input or a block is something else, or has cells that cannot be
 ///         read; it says which and what to do.
-std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const std::string& name);
+std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const PartName& name);
 
 /// The same for a source, which may be any vtkPointSet, or leaves that are: of a
 /// vtkUnstructuredGrid the vertices and lines, of others than that and vtkPolyData the points
@@ -95,10 +95,10 @@ std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const std::strin
 /// \throws InputError also where a block that is not empty has no such array, or one that is not of
 ///         integers, has several components or too few values.
 std::vector<PolyDataBlock> sourceBlocks(
-  vtkDataObject* input, const std::string& name, const char* idArray);
+  vtkDataObject* input, const PartName& name, const char* idArray);
 
 /// The same for targets, which are the points of any vtkPointSet. Cells are left out.
-std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const std::string& name);
+std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const PartName& name);
 
 /// Finds PolyDataBlock::barriers of the blocks of a surface. Blocks without the array have no
 /// barriers. An array with one value a face, which leaves out vertices and lines, is replaced by
@@ -111,9 +111,6 @@ std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const std::string&
 ///         numeric, has several components, neither a value for each cell nor one for each face, or
 ///         NaN.
 void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* array, Exchange& exchange);
-
-/// A block's name at the beginning of a sentence.
-std::string capitalized(std::string name);
 
 /// The first few of some ids, for an error message: "3, 17, 20 and 5 more".
 std::string listIds(const std::vector<vtkIdType>& ids);
@@ -148,7 +145,7 @@ void requirePoints(const PolyDataBlock& block, vtkIdType cell, vtkIdType size, c
   {
     if (ids[i] < 0 || ids[i] >= count)
     {
-      throw Failure("Cell " + std::to_string(cell) + " of " + block.name + " names point " +
+      throw Failure(block.name.part("cell", cell).atBeginning() + " names point " +
         std::to_string(ids[i]) + ", but there are only " + std::to_string(count) +
         " points. Repair the cells upstream.");
     }
@@ -182,7 +179,7 @@ struct GatheredBlocks
 /// \param own of this rank.
 /// \param name as messages call the input.
 GatheredBlocks gatherBlocks(
-  const std::vector<PolyDataBlock>& own, const std::string& name, Exchange& exchange);
+  const std::vector<PolyDataBlock>& own, const PartName& name, Exchange& exchange);
 
 }
 

@@ -34,14 +34,14 @@ void check(const TriangleMesh& mesh, const LocatedPolyline& polyline)
 {
   if (polyline.points.empty())
   {
-    throw SourceError(
-      "There are no points in " + polyline.name + ". Give it one point at least, or leave it out.");
+    throw SourceError("There are no points in " + polyline.name.text() +
+      ". Give it one point at least, or leave it out.");
   }
   const auto isMissing = [&mesh](Id face) { return face >= mesh.numberOfFaces(); };
   for (std::size_t i = 0; i < polyline.points.size(); ++i)
   {
     const auto fail = [&](const char* what)
-    { throw SourceError('P' + polyline.nameOfPoint(i).substr(1) + what); };
+    { throw SourceError(polyline.nameOfPoint(i).atBeginning() + what); };
     if (!isFinite(polyline.points[i]))
     {
       fail(" has a coordinate that is not finite. Remove or repair the point.");
@@ -306,8 +306,9 @@ private:
     {
       const std::string names = polyline.pointNames.empty()
         ? "Points " + std::to_string(from.index) + " and " + std::to_string(to.index) + " of " +
-          polyline.name
-        : 'P' + polyline.pointNames[from.index].substr(1) + " and " + polyline.pointNames[to.index];
+          polyline.name.text()
+        : polyline.pointNames[from.index].atBeginning() + " and " +
+          polyline.pointNames[to.index].text();
       throw SourceError(names +
         " are on different components of the surface, so that no path on it joins them. Split the "
         "polyline between them, or connect the surface.");

@@ -3,10 +3,10 @@
 #define geodesic_PolylineOnSurface_h
 
 #include "Job.h"
+#include "source/PartName.h"
 #include "source/SourceCurve.h"
 
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace geodesic
@@ -24,18 +24,17 @@ struct LocatedPolyline
   std::vector<Id> vertices = {};
   /// Whether the last point joins the first.
   bool closed = false;
-  /// Name for error messages, such as "line 3 of the source".
-  std::string name;
-  /// The names of the points for messages; empty where these are "point 7 of line 3 of the source".
-  std::vector<std::string> pointNames = {};
+  /// What messages call it: "line 3 of the source".
+  PartName name;
+  /// What messages call its points; empty where these are "point 7 of line 3 of the source".
+  std::vector<PartName> pointNames = {};
   /// SourceCurve::source of its curves.
   Id source = 0;
 
   Id vertexOf(std::size_t i) const { return this->vertices.empty() ? NoId : this->vertices[i]; }
-  std::string nameOfPoint(std::size_t i) const
+  PartName nameOfPoint(std::size_t i) const
   {
-    return this->pointNames.empty() ? "point " + std::to_string(i) + " of " + this->name
-                                    : this->pointNames[i];
+    return this->pointNames.empty() ? this->name.part("point", i) : this->pointNames[i];
   }
 };
 

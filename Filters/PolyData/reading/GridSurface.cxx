@@ -77,7 +77,7 @@ CellKind kindOf(int type)
 class GridReader
 {
 public:
-  GridReader(vtkUnstructuredGrid* grid, const std::string& name)
+  GridReader(vtkUnstructuredGrid* grid, const PartName& name)
     : grid_(grid)
     , block_{ vtkSmartPointer<vtkPolyData>::New(), name, {} }
   {
@@ -150,7 +150,7 @@ private:
   {
     const int type = this->typeOf(cell);
     const vtkSmartPointer<vtkCell> like = cellOfType(type);
-    const std::string which = "Cell " + std::to_string(cell) + " of " + this->block_.name;
+    const std::string which = this->block_.name.part("cell", cell).atBeginning();
     throw InputError(like ? which + " is three-dimensional, a " + like->GetClassName() +
           " (cell type " + std::to_string(type) +
           "): apply Extract Surface first (vtkDataSetSurfaceFilter or vtkGeometryFilter). The "
@@ -309,8 +309,8 @@ private:
     { return std::find(corners, end, id) != end; };
     if (!std::all_of(ids, ids + size, isCorner))
     {
-      throw InputError("Cell " + std::to_string(cell) + " of " + this->block_.name +
-        " is of type " + std::to_string(this->typeOf(cell)) +
+      throw InputError(this->block_.name.part("cell", cell).atBeginning() + " is of type " +
+        std::to_string(this->typeOf(cell)) +
         " and cannot be cut into triangles through its points, of which there are " +
         std::to_string(size) + ". Repair the cells upstream.");
     }
@@ -342,7 +342,7 @@ private:
 
 }
 
-PolyDataBlock surfaceOfGrid(vtkUnstructuredGrid* grid, const std::string& name)
+PolyDataBlock surfaceOfGrid(vtkUnstructuredGrid* grid, const PartName& name)
 {
   return GridReader(grid, name).read();
 }

@@ -4,8 +4,6 @@
 
 #include "PolyData/PolyDataBlocks.h"
 
-#include <string>
-
 class vtkUnstructuredGrid;
 
 namespace geodesic
@@ -21,7 +19,7 @@ namespace geodesic
 /// \param name as messages call the grid.
 /// \throws InputError that names the first cell that is three-dimensional, or of a type that VTK
 ///         does not know.
-PolyDataBlock surfaceOfGrid(vtkUnstructuredGrid* grid, const std::string& name);
+PolyDataBlock surfaceOfGrid(vtkUnstructuredGrid* grid, const PartName& name);
 
 }
 

@@ -92,8 +92,7 @@ std::string PolyDataSurface::nameOfCell(Id triangle, const std::vector<PolyDataB
 {
   const std::size_t index = this->blockOf(triangle, &SurfaceBlock::firstTriangle);
   const SurfaceBlock& block = this->blocks[index];
-  return "cell " + std::to_string(block.inputCell(triangle - block.firstTriangle)) + " of " +
-    inputs[index].name;
+  return inputs[index].name.part("cell", block.inputCell(triangle - block.firstTriangle)).text();
 }
 
 std::vector<Id> numberUsedVertices(std::vector<Triangle>& triangles, std::size_t numberOfVertices)

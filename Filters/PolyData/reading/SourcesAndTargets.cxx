@@ -11,6 +11,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace geodesic
 {
@@ -148,12 +149,11 @@ struct SourceBlockReader
     }
   }
 
-  LocatedPolyline& addPolyline(
-    vtkIdType size, const vtkIdType* ids, const std::string& name, Id source)
+  LocatedPolyline& addPolyline(vtkIdType size, const vtkIdType* ids, PartName name, Id source)
   {
     this->usePoints(size, ids);
     LocatedPolyline& line = this->sources.polylines.emplace_back();
-    line.name = name + " of " + this->block.name;
+    line.name = std::move(name);
     line.source = source;
     line.points.resize(static_cast<std::size_t>(size));
     for (vtkIdType i = 0; i < size; ++i)
@@ -170,7 +170,8 @@ struct SourceBlockReader
 
   void addPoint(vtkIdType point, Id source)
   {
-    LocatedPolyline& line = this->addPolyline(1, &point, "point " + std::to_string(point), source);
+    LocatedPolyline& line =
+      this->addPolyline(1, &point, this->block.name.part("point", point), source);
     line.pointNames = { line.name };
   }
 
@@ -185,8 +186,8 @@ struct SourceBlockReader
   void addCurve(vtkIdType size, const vtkIdType* ids, bool closed)
   {
     const vtkIdType number = this->inputCell();
-    this->addPolyline(size, ids, "cell " + std::to_string(number), this->sourceOf(number)).closed =
-      closed && size > 2;
+    this->addPolyline(size, ids, this->block.name.part("cell", number), this->sourceOf(number))
+      .closed = closed && size > 2;
   }
 
   void addLine(vtkIdType size, const vtkIdType* ids)
@@ -236,8 +237,8 @@ std::vector<vtkIdType> namesOfParts(
       const vtkIdType name = names[static_cast<std::size_t>(*id)];
       if (name < 0 || name >= SourceIdEnd)
       {
-        throw SourceError((block.isSetOfPoints() ? "Point " : "Cell ") +
-          std::to_string(*id - first) + " of " + block.name +
+        throw SourceError(
+          block.name.part(block.isSetOfPoints() ? "point" : "cell", *id - first).atBeginning() +
           (name < 0 ? " has a negative value" : " has a value that is too large") +
           " in the array that names the parts of the source (SourceIdArrayName): ids are from 0 "
           "to " +
@@ -333,7 +334,7 @@ std::vector<RankAddress> barriersAt(
 
 /// The targets, as polylines of one point each.
 std::vector<LocatedPolyline> readPoints(
-  const std::vector<PolyDataBlock>& blocks, const std::string& name, const PolyDataSurface& surface)
+  const std::vector<PolyDataBlock>& blocks, const PartName& name, const PolyDataSurface& surface)
 {
   std::vector<LocatedPolyline> points;
   const double precision = coordinatePrecisionOf(blocks);
@@ -347,7 +348,7 @@ std::vector<LocatedPolyline> readPoints(
       point.points = { surface.scale.toEngine(p) };
       if (isFinite(p) && !(norm(point.points.front()) < Infinity))
       {
-        throw InputError("Point " + std::to_string(i) + " of " + block.name +
+        throw InputError(block.name.part("point", i).atBeginning() +
           " is too far from the surface for its size. Scale or move it upstream.");
       }
       if (isFinite(p) && !block.originalPoints.empty())
@@ -364,7 +365,7 @@ std::vector<LocatedPolyline> readPoints(
   if (points.empty())
   {
     throw InputError(
-      capitalized(name) + " is empty: there are no points. Connect at least one point.");
+      name.atBeginning() + " is empty: there are no points. Connect at least one point.");
   }
   return points;
 }
@@ -428,7 +429,7 @@ SourcePolylines readSource(
       line.points[i] = surface.scale.toEngine(line.points[i]);
       if (!(norm(line.points[i]) < Infinity))
       {
-        throw SourceError('P' + line.nameOfPoint(i).substr(1) +
+        throw SourceError(line.nameOfPoint(i).atBeginning() +
           " is too far from the surface for its size. Scale or move the source upstream.");
       }
     }
@@ -457,7 +458,7 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
       {
         const Vec3 place = surface.scale.toUser(line.points[i]);
         std::ostringstream text;
-        text << 'P' << line.nameOfPoint(i).substr(1) << ", at (" << place[0] << ", " << place[1]
+        text << line.nameOfPoint(i).atBeginning() << ", at (" << place[0] << ", " << place[1]
              << ", " << place[2] << "), lies in a barrier (BarrierArrayName): it is closest to "
              << nameOfBarrier(surface, surfaceBlocks, face)
              << ", which no path may leave. Move it out of the barrier, or onto its rim.";
@@ -477,7 +478,7 @@ double coordinatePrecisionOf(const std::vector<PolyDataBlock>& source)
   return precision;
 }
 
-Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
+Targets readTargets(const std::vector<PolyDataBlock>& blocks, const PartName& name,
   const PolyDataSurface& surface, PolylineLocator& locator, const Job& job)
 {
   const std::vector<LocatedPolyline> points = readPoints(blocks, name, surface);

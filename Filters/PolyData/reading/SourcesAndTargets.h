@@ -80,7 +80,7 @@ struct Targets
 ///
 /// \param name as messages call the input: "the set of targets (input port 2)".
 /// \throws InputError if there is no point, or one is not finite or too far away; Aborted.
-Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
+Targets readTargets(const std::vector<PolyDataBlock>& blocks, const PartName& name,
   const PolyDataSurface& surface, PolylineLocator& locator, const Job& job);
 
 }

@@ -44,7 +44,7 @@ LocatedPolyline polyline(
     result.faces.push_back({ face });
   }
   result.closed = closed;
-  result.name = "line 7 of the source";
+  result.name = geodesic::PartName("the source").part("line", 7);
   return result;
 }
 
