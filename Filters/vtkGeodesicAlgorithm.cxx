@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "PolyData/FilterExecution.h"
+#include "PolyData/Inputs.h"
 #include "PolyData/Notes.h"
 #include "PolyData/SurfaceCache.h"
 #include "PolyData/ranks/RankExchange.h"
@@ -59,6 +60,24 @@ bool IsPieceWithData(
   return pieces <= processes || piece == (rank * pieces + processes - 1) / processes;
 }
 
+/// \param inputVector of a filter that may have no third port.
+geodesic::InputRequest RequestOf(vtkGeodesicAlgorithm* filter, vtkInformationVector** inputVector)
+{
+  geodesic::InputRequest request{};
+  request.surface = vtkDataObject::GetData(inputVector[0]);
+  request.source = vtkDataObject::GetData(inputVector[1]);
+  request.targets =
+    filter->GetNumberOfInputPorts() > 2 ? vtkDataObject::GetData(inputVector[2]) : nullptr;
+  request.fromCurves = filter->GetSourceType() != vtkGeodesicAlgorithm::SURFACE_BOUNDARY;
+  request.fromBoundary = filter->GetSourceType() != vtkGeodesicAlgorithm::SOURCE_CURVE;
+  request.areLinesJoined = filter->GetJoinLines();
+  request.merging = { filter->GetMergeCoincidentPoints(), filter->GetMergeTolerance() };
+  request.sourceIdArray = filter->GetSourceIdArrayName();
+  request.barrierArray = filter->GetBarrierArrayName();
+  request.filter = filter->GetClassName();
+  return request;
+}
+
 /// Leaves nothing in an output but, in a composite one, blocks as those of the surface.
 void MakeEmpty(vtkDataObject* surface, vtkDataObject* output)
 {
@@ -83,8 +102,8 @@ struct Failure
 {
   /// Empty: it was aborted.
   std::string message;
-  /// Whether what was read of the surface can be used again.
-  bool isCacheKept = false;
+  /// Whether the next execution may use what was read of the surface.
+  bool isSurfaceKept = false;
 };
 
 /// Explains the exception that is being handled.
@@ -302,7 +321,7 @@ int vtkGeodesicAlgorithm::RequestData(
   }
   this->ResetResults();
   this->SetError({});
-  this->ComputeOrExplain(inputVector, outputVector);
+  this->Execute(inputVector, outputVector);
   return 1; // also after an error: views and filters downstream are to see that there is nothing
 }
 
@@ -315,31 +334,30 @@ void vtkGeodesicAlgorithm::SetError(std::string message)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicAlgorithm::ComputeOrExplain(
+void vtkGeodesicAlgorithm::Execute(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  geodesic::Exchange* exchange = nullptr;
-  geodesic::Stage stage = geodesic::Stage::ReadSurface;
-  Failure failure;
+  geodesic::Exchange* waiting = nullptr;
+  std::optional<geodesic::FilterExecution> execution;
   std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
   try
   {
-    exchange = &this->Internals->BeginExchange(this->GetController());
+    waiting = &this->Internals->BeginExchange(this->GetController());
     reserve = std::make_unique<char[]>(MemoryForMessages);
     const std::string wrong = this->FindWrongProperty();
     if (!wrong.empty())
     {
       throw geodesic::InputError(wrong);
     }
-    const bool hasTargets = this->GetNumberOfInputPorts() > 2;
-    geodesic::FilterExecution execution(this, this->Internals->Cache, stage,
-      vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]),
-      hasTargets ? vtkDataObject::GetData(inputVector[2]) : nullptr, *exchange);
-    this->Compute(execution, outputVector);
-    const std::string said = this->Internals->Given.take(execution.notes(), this);
-    execution.finish();
-    exchange = nullptr; // what goes wrong from here on is no concern of other ranks
-    if (!said.empty() && execution.reportsWarnings())
+    const geodesic::ExecutionPlan plan = this->Plan();
+    execution.emplace(this, plan.allStages(), *waiting);
+    const geodesic::Inputs inputs =
+      geodesic::readInputs(RequestOf(this, inputVector), plan, this->Internals->Cache, *execution);
+    this->Compute(inputs, *execution, outputVector);
+    const std::string said = this->Internals->Given.take(execution->notes(), this);
+    waiting->step(waiting->noMessages()); // until all ranks have come to their end
+    waiting = nullptr;
+    if (!said.empty() && inputs.rank.showsNotes())
     {
       vtkWarningMacro(<< said);
     }
@@ -347,23 +365,31 @@ void vtkGeodesicAlgorithm::ComputeOrExplain(
     {
       this->Internals->Cache.release();
     }
-    return;
   }
   catch (...)
   {
     reserve.reset();
-    failure = ExplainException(geodesic::rowOf(stage).doing, this->AdviceOnMemory());
+    const geodesic::Stage stage = execution ? execution->stage() : geodesic::Stage::ReadSurface;
+    const Failure failure = ExplainException(geodesic::rowOf(stage).doing, this->AdviceOnMemory());
+    this->Fail(failure.message, failure.isSurfaceKept, waiting, inputVector, outputVector);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicAlgorithm::Fail(const std::string& message, bool isSurfaceKept,
+  geodesic::Exchange* waiting, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
     vtkDataObject::GetData(outputVector, port)->Initialize(); // frees what there is of it
   }
   this->ResetResults();
-  if (!failure.isCacheKept || (exchange && exchange->numberOfRanks() > 1))
+  if (!isSurfaceKept || (waiting && waiting->numberOfRanks() > 1))
   {
     this->Internals->Cache.release();
   }
-  this->SetError(exchange ? exchange->fail(failure.message) : std::move(failure.message));
+  this->SetError(waiting ? waiting->fail(message) : message);
   if (!this->ErrorMessage.empty())
   {
     vtkErrorMacro(<< this->ErrorMessage);

@@ -106,7 +106,10 @@ class vtkMultiProcessController;
 
 namespace geodesic
 {
+struct ExecutionPlan;
+class Exchange;
 class FilterExecution;
+struct Inputs;
 }
 
 class VTKFILTERSGEODESIC_EXPORT vtkGeodesicAlgorithm : public vtkPolyDataAlgorithm
@@ -276,7 +279,7 @@ protected:
   /// for the rank's piece.
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  /// Calls what a subclass has overridden below, and hands its exceptions to vtkErrorMacro.
+  /// Reads the inputs and computes, and hands exceptions to vtkErrorMacro.
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -289,20 +292,30 @@ protected:
   }
   /// Sets the getters' results of an execution to what they are before the first.
   virtual void ResetResults() {}
-  /// Reads the inputs (geodesic::FilterExecution::readInputs()) and fills the outputs. May throw.
-  virtual void Compute(
-    geodesic::FilterExecution& execution, vtkInformationVector* outputVector) = 0;
+  /// What the filter needs of its inputs, and the stages of its work.
+  virtual geodesic::ExecutionPlan Plan() const = 0;
+  /// Fills the outputs. May throw.
+  virtual void Compute(const geodesic::Inputs& inputs, geodesic::FilterExecution& execution,
+    vtkInformationVector* outputVector) = 0;
+
+  int SourceType = SOURCE_CURVE;
 
 private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
   void operator=(const vtkGeodesicAlgorithm&) = delete;
 
-  /// Does the work and turns exceptions into errors.
-  void ComputeOrExplain(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  /// Reads the inputs, computes and warns. An exception becomes an error.
+  void Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  /// Empties the outputs and reports an error.
+  ///
+  /// \param message what went wrong; empty: the user has aborted the execution.
+  /// \param isSurfaceKept whether the next execution may use what was read of the surface.
+  /// \param waiting the ranks that wait for this one; null: none do.
+  void Fail(const std::string& message, bool isSurfaceKept, geodesic::Exchange* waiting,
+    vtkInformationVector** inputVector, vtkInformationVector* outputVector);
   /// Keeps the error of an execution for scripts; an empty message: there is none.
   void SetError(std::string message);
 
-  int SourceType = SOURCE_CURVE;
   bool JoinLines = true;
   char* SourceIdArrayName = nullptr;
   bool MergeCoincidentPoints = true;

@@ -2,6 +2,7 @@
 #include "vtkGeodesicContour.h"
 
 #include "PolyData/FilterExecution.h"
+#include "PolyData/Inputs.h"
 #include "PolyData/writing/LineWriter.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "contours/IsolineSides.h"
@@ -37,6 +38,7 @@ class vtkGeodesicContour::vtkWorker
 {
 public:
   vtkGeodesicContour* Self;
+  const geodesic::Inputs& Inputs;
   FilterExecution& Execution;
   /// In the user's scale: ascending, each once, without 0.
   std::vector<double> Values{};
@@ -48,31 +50,25 @@ public:
   /// \throws Error
   void Run(vtkPolyData* output)
   {
-    std::vector<Stage> stages = { Stage::Solve, Stage::DrawLines, Stage::Write };
-    if (this->Self->SignedDistances)
-    {
-      stages.insert(stages.end() - 1, Stage::FindSides);
-    }
-    this->Execution.readInputs(stages, true);
-    if (this->Execution.surfacePlace() == SurfacePlace::OnOtherRank)
+    if (!this->Inputs.rank.isWorking())
     {
       const TriangleMesh none;
       writeIsolines({ none, {}, {}, none, {} }, PowerOfTwoScale(), output, {});
       return;
     }
-    const PolyDataSurface& surface = this->Execution.surface();
+    const PolyDataSurface& surface = *this->Inputs.surface;
     if (this->Self->SignedDistances)
     {
-      requireSides(surface, this->Execution.surfaceBlocks(), "SignedDistances");
+      requireSides(surface, this->Inputs.surfaceBlocks, "SignedDistances");
     }
     this->FindValues();
     const Isolines isolines = this->Draw();
     this->Execution.notes().add(NoteOn::Surface,
-      this->Execution.sumOverPieces(isolines.linesWithoutDirection), "line crosses", "lines cross",
+      this->Inputs.sumOverPieces(isolines.linesWithoutDirection), "line crosses", "lines cross",
       "faces of opposite orientation: the direction of such a line says nothing.");
-    const bool hasCurves = this->HasZero && this->Execution.hasSourceOutput();
-    writeIsolines({ surface.mesh(), isolines, this->Values, this->Execution.patch().mesh(),
-                    hasCurves ? this->Execution.sources().curves : std::vector<SourceCurve>() },
+    const bool hasCurves = this->HasZero && this->Inputs.rank.writesSource();
+    writeIsolines({ surface.mesh(), isolines, this->Values, this->Inputs.patch->mesh(),
+                    hasCurves ? this->Inputs.sources.curves : std::vector<SourceCurve>() },
       surface.scale, output, this->Execution.begin(Stage::Write));
   }
 
@@ -88,7 +84,7 @@ public:
     std::map<double, SidedValue> byDistance;
     for (const double value : sorted)
     {
-      const double inEngine = this->Execution.surface().scale.toEngine(value);
+      const double inEngine = this->Inputs.surface->scale.toEngine(value);
       this->HasZero = this->HasZero || inEngine == 0.0;
       if (inEngine == 0.0 || !(std::abs(inEngine) < Infinity))
       {
@@ -114,8 +110,8 @@ public:
     IsolineOptions options;
     options.values = this->Distances;
     options.chordTolerance = this->Self->ToleranceIsAbsolute
-      ? this->Execution.surface().scale.toEngine(this->Self->AbsoluteChordTolerance)
-      : this->Self->ChordTolerance * this->Execution.surface().diagonal;
+      ? this->Inputs.surface->scale.toEngine(this->Self->AbsoluteChordTolerance)
+      : this->Self->ChordTolerance * this->Inputs.surface->diagonal;
     // On a surface without extent nothing but the source is at any distance.
     if (options.values.empty() || !(options.chordTolerance > 0.0))
     {
@@ -124,8 +120,8 @@ public:
     FrontOptions front;
     front.keepArrivals = this->Self->SignedDistances;
     front.job = this->Execution.begin(Stage::Solve);
-    const DistanceField field = solveForIsolines(this->Execution.surface().partition,
-      this->Execution.sourceWindows(front.job), this->Distances, front);
+    const DistanceField field = solveForIsolines(this->Inputs.surface->partition,
+      this->Inputs.sourceWindows(front.job), this->Distances, front);
     options.job = this->Execution.begin(Stage::DrawLines);
     Isolines isolines = drawIsolines(field, options);
     return this->Self->SignedDistances ? this->OnSides(field, isolines) : isolines;
@@ -133,13 +129,12 @@ public:
 
   Isolines OnSides(const DistanceField& field, const Isolines& isolines) const
   {
-    const std::vector<SourceCurve>& curves = this->Execution.sources().curves;
+    const std::vector<SourceCurve>& curves = this->Inputs.sources.curves;
     const Job job = this->Execution.begin(Stage::FindSides);
-    NearestSource nearest(field, this->Execution.patch(), curves, job.part(0.0, 0.5));
+    NearestSource nearest(field, *this->Inputs.patch, curves, job.part(0.0, 0.5));
     return linesOnSides(
       field, nearest,
-      [&](const Foot& foot)
-      { return isOnRight(foot, curves, this->Execution.firstBoundarySource()); },
+      [&](const Foot& foot) { return isOnRight(foot, curves, this->Inputs.sources.firstBoundary); },
       isolines, this->Sides, job.part(0.5, 1.0));
   }
 };
@@ -185,9 +180,22 @@ std::string vtkGeodesicContour::FindWrongProperty() const
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicContour::Compute(FilterExecution& execution, vtkInformationVector* outputVector)
+ExecutionPlan vtkGeodesicContour::Plan() const
 {
-  vtkWorker{ this, execution }.Run(vtkPolyData::GetData(outputVector, 0));
+  ExecutionPlan plan;
+  plan.stages = { Stage::Solve, Stage::DrawLines, Stage::Write };
+  if (this->SignedDistances)
+  {
+    plan.stages.insert(plan.stages.end() - 1, Stage::FindSides);
+  }
+  return plan;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicContour::Compute(
+  const Inputs& inputs, FilterExecution& execution, vtkInformationVector* outputVector)
+{
+  vtkWorker{ this, inputs, execution }.Run(vtkPolyData::GetData(outputVector, 0));
 }
 
 //------------------------------------------------------------------------------

@@ -158,7 +158,9 @@ protected:
   ~vtkGeodesicContour() override = default;
 
   std::string FindWrongProperty() const override;
-  void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
+  geodesic::ExecutionPlan Plan() const override;
+  void Compute(const geodesic::Inputs& inputs, geodesic::FilterExecution& execution,
+    vtkInformationVector* outputVector) override;
 
 private:
   vtkGeodesicContour(const vtkGeodesicContour&) = delete;

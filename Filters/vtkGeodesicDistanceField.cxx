@@ -3,7 +3,9 @@
 
 #include "PolyData/FieldSolver.h"
 #include "PolyData/FilterExecution.h"
+#include "PolyData/Inputs.h"
 #include "PolyData/Memory.h"
+#include "PolyData/ranks/SharedResults.h"
 #include "PolyData/writing/LineWriter.h"
 #include "PolyData/writing/OutputPoints.h"
 #include "PolyData/writing/SourceArrays.h"
@@ -80,6 +82,7 @@ class vtkGeodesicDistanceField::vtkWorker
 {
 public:
   vtkGeodesicDistanceField* Self;
+  const geodesic::Inputs& Inputs;
   FilterExecution& Execution;
   const SourceArrayChoice Choice = ChoiceOf(Self);
 
@@ -106,75 +109,58 @@ public:
       self->GenerateTextureCoordinates };
   }
 
+  static bool AreBordersRefined(const vtkGeodesicDistanceField* self)
+  {
+    return self->RefineSourceBorders || self->GenerateTextureCoordinates;
+  }
+
   /// \throws Error
   void Run(vtkDataObject* output, vtkPolyData* curves)
   {
-    this->Execution.readInputs(this->Stages(), true);
-    const bool isElsewhere = this->Execution.surfacePlace() == SurfacePlace::OnOtherRank;
-    if (!isElsewhere)
+    if (this->Inputs.rank.isWorking())
     {
       this->Self->SourceSnapDistance =
-        this->Execution.surface().scale.toUser(this->Execution.sources().snapDistance);
+        this->Inputs.surface->scale.toUser(this->Inputs.sources.snapDistance);
       this->Self->SourceLength = this->LengthOfSource();
-      this->Self->SeamPointsJoined = this->Execution.surface().report.joinedSeamPoints;
+      this->Self->SeamPointsJoined = this->Inputs.surface->report.joinedSeamPoints;
       this->Compute();
     }
     this->ShareNumbers();
     const Job writing = this->Execution.begin(Stage::Write);
-    if (isElsewhere)
+    if (!this->Inputs.rank.isWorking())
     {
       this->WriteNothing(output);
       return;
     }
     this->NoteReplacedArrays();
     this->WriteSurface(output, writing);
-    if (this->Execution.hasSourceOutput())
+    if (this->Inputs.rank.writesSource())
     {
-      writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale,
-        this->Execution.sources().curves, this->Execution.sourceIds(), this->ArcLengthsOfCurves,
-        curves);
+      writeCurves(this->Inputs.patch->mesh(), this->Inputs.surface->scale,
+        this->Inputs.sources.curves, this->Inputs.sources.ids, this->ArcLengthsOfCurves, curves);
     }
-  }
-
-  /// The stages that follow reading the inputs.
-  std::vector<Stage> Stages() const
-  {
-    std::vector<Stage> stages;
-    const auto add = [&stages](Stage stage, bool isThere)
-    { stages.insert(stages.end(), isThere ? 1 : 0, stage); };
-    const bool isApproximate = this->Self->Accuracy == APPROXIMATE;
-    add(Stage::FindBorders, this->AreBordersRefined() && this->Self->RefineMesh);
-    add(Stage::Solve, true);
-    add(Stage::Refine, this->Self->RefineMesh);
-    add(Stage::SolveExactly, isApproximate && this->Choice.areFeetNeeded());
-    add(Stage::FindSources, this->Choice.isAny());
-    add(Stage::Write, true);
-    return stages;
-  }
-
-  bool AreBordersRefined() const
-  {
-    return this->Self->RefineSourceBorders || this->Choice.textureCoordinates;
   }
 
   /// If another rank has done all the work, this one reports the same.
   void ShareNumbers()
   {
-    this->Execution.shareResults(this->Self->WindowsPropagatedPerEdge, this->Self->SourceLength,
-      this->Self->SourceSnapDistance, this->Self->RelativeErrorBound,
+    Exchange& exchange = this->Execution.exchange();
+    const bool isWorking = this->Inputs.rank.isWorking();
+    shareResults(exchange, isWorking, this->Self->WindowsPropagatedPerEdge,
+      this->Self->SourceLength, this->Self->SourceSnapDistance, this->Self->RelativeErrorBound,
       this->Self->InterpolationErrorBound, this->Self->SeamPointsJoined, this->IsRefined,
       this->HasNewPoints);
     if (this->Choice.angles)
     {
-      this->Execution.shareResults(this->Frames.frames);
-      this->Execution.shareResults(this->Frames.ids);
+      shareResults(exchange, isWorking, this->Frames.frames);
+      shareResults(exchange, isWorking, this->Frames.ids);
     }
   }
 
   /// A rank without surface has the arrays of the other ranks, without values.
   void WriteNothing(vtkDataObject* output) const
   {
-    for (vtkPolyData* block : makeBlocksLike(this->Execution.surfaceInput(), output))
+    for (vtkPolyData* block : makeBlocksLike(this->Inputs.surfaceInput, output))
     {
       const auto distances = makeArray<vtkDoubleArray>(this->Self->DistanceArrayName, 0);
       block->GetPointData()->AddArray(distances);
@@ -194,17 +180,17 @@ public:
   double LengthOfSource() const
   {
     double length = 0.0;
-    for (const SourceCurve& curve : this->Execution.sources().curves)
+    for (const SourceCurve& curve : this->Inputs.sources.curves)
     {
-      length += lengthOf(this->Execution.patch().mesh(), curve);
+      length += lengthOf(this->Inputs.patch->mesh(), curve);
     }
-    return this->Execution.surface().scale.toUser(length);
+    return this->Inputs.surface->scale.toUser(length);
   }
 
   /// The length of a tile of texture coordinates, in the user's scale.
   double TextureTile() const
   {
-    const PolyDataSurface& surface = this->Execution.surface();
+    const PolyDataSurface& surface = *this->Inputs.surface;
     return this->Self->TextureScale > 0.0 ? this->Self->TextureScale
       : surface.diagonal > 0.0 ? roundLength(0.1 * surface.scale.toUser(surface.diagonal))
                                : 1.0;
@@ -213,8 +199,8 @@ public:
   double Tolerance() const
   {
     return this->Self->ToleranceIsAbsolute
-      ? this->Execution.surface().scale.toEngine(this->Self->AbsoluteRefinementTolerance)
-      : this->Self->RefinementTolerance * this->Execution.surface().diagonal;
+      ? this->Inputs.surface->scale.toEngine(this->Self->AbsoluteRefinementTolerance)
+      : this->Self->RefinementTolerance * this->Inputs.surface->diagonal;
   }
 
   /// What is left of the tolerance for the interpolant, beside the displacement of points. A part
@@ -236,7 +222,7 @@ public:
       return false; // a surface without extent has nothing to refine
     }
     const vtkIdType most = this->Self->MaximumNumberOfCells;
-    const auto count = static_cast<vtkIdType>(this->Execution.surface().countTrianglesOfAllRanks());
+    const auto count = static_cast<vtkIdType>(this->Inputs.surface->countTrianglesOfAllRanks());
     if (most > 0 && count > most)
     {
       this->Execution.notes().add(NoteOn::Surface, "over " + std::to_string(most),
@@ -251,20 +237,20 @@ public:
 
   void Compute()
   {
-    const PolyDataSurface& surface = this->Execution.surface();
+    const PolyDataSurface& surface = *this->Inputs.surface;
     if (this->Choice.areSidesNeeded())
     {
-      requireSides(surface, this->Execution.surfaceBlocks(),
+      requireSides(surface, this->Inputs.surfaceBlocks,
         this->Choice.signedDistances ? "GenerateSignedDistance" : "GenerateTextureCoordinates");
     }
     requireRangeOf(this->Self->OutputPointsPrecision, surface);
     this->IsRefined = this->CanRefine();
     if (this->IsRefined)
     {
-      this->Displaced = displacementsOfPoints(surface, this->Execution.surfaceBlocks(),
+      this->Displaced = displacementsOfPoints(surface, this->Inputs.surfaceBlocks,
         this->Self->OutputPointsPrecision, this->Execution.job());
     }
-    SolvedSurface solved = solveField(this->Execution, this->Request());
+    SolvedSurface solved = solveField(this->Inputs, this->Request(), this->Execution);
     this->TakeNumbers(solved);
     this->VertexDistances = solved.field->vertexDistances();
     if (this->Choice.isAny())
@@ -283,24 +269,24 @@ public:
     request.relativeError = self->Accuracy == APPROXIMATE ? self->RelativeError : 0.0;
     if (self->MaximumDistance > 0.0)
     {
-      request.maximumDistance = this->Execution.surface().scale.toEngine(self->MaximumDistance);
+      request.maximumDistance = this->Inputs.surface->scale.toEngine(self->MaximumDistance);
     }
     request.arrays = this->Choice;
     request.isRefined = this->IsRefined;
     request.tolerance = this->ToleranceOfInterpolant();
     request.maximumCells = static_cast<std::uint64_t>(self->MaximumNumberOfCells);
-    request.areBordersRefined = this->AreBordersRefined();
+    request.areBordersRefined = AreBordersRefined(self);
     return request;
   }
 
   void TakeNumbers(const SolvedSurface& solved)
   {
     this->Self->WindowsPropagatedPerEdge = static_cast<double>(solved.field->windowsPropagated()) /
-      static_cast<double>(this->Execution.surface().report.edges);
+      static_cast<double>(this->Inputs.surface->report.edges);
     this->Self->RelativeErrorBound = solved.field->relativeErrorBound();
     if (this->IsRefined)
     {
-      const PolyDataSurface& surface = this->Execution.surface();
+      const PolyDataSurface& surface = *this->Inputs.surface;
       const RefinedMesh& refined = solved.refined.mesh;
       this->HasNewPoints = surface.exchange().isTrueAnywhere(!refined.points.empty());
       const double bound = refined.errorBound +
@@ -312,9 +298,8 @@ public:
 
   SourceArrays Arrays() const
   {
-    return { this->Execution.surface(), this->Execution.sources().curves,
-      this->Execution.sourceIds(), this->Execution.firstBoundarySource(), this->TextureTile(),
-      this->Choice };
+    return { *this->Inputs.surface, this->Inputs.sources.curves, this->Inputs.sources.ids,
+      this->Inputs.sources.firstBoundary, this->TextureTile(), this->Choice };
   }
 
   void FindSources(const SolvedSurface& solved)
@@ -322,14 +307,14 @@ public:
     const Job job = this->Execution.begin(Stage::FindSources);
     const DistanceField& field = *solved.field;
     const DistanceField& exact = solved.exactField();
-    const std::vector<SourceCurve>& curves = this->Execution.sources().curves;
-    NearestSource nearest(exact, this->Execution.patch(), curves, job.part(0.0, 0.3));
+    const std::vector<SourceCurve>& curves = this->Inputs.sources.curves;
+    NearestSource nearest(exact, *this->Inputs.patch, curves, job.part(0.0, 0.3));
     const SourceArrays arrays = this->Arrays();
     this->AtVertices = arrays.atVertices(field, nearest, job.part(0.3, 0.6));
     if (this->Choice.angles)
     {
-      this->Frames = framesBySource(nearest.curvesOnPatch(), curves, this->Execution.sourceIds(),
-        this->Execution.areSourcesNamed());
+      this->Frames = framesBySource(
+        nearest.curvesOnPatch(), curves, this->Inputs.sources.ids, this->Inputs.sources.areNamed);
     }
     this->ArcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
     if (this->IsRefined)
@@ -341,7 +326,7 @@ public:
 
   void NoteToleranceNotMet(const RefinedMesh& refined, double bound) const
   {
-    const PowerOfTwoScale& scale = this->Execution.surface().scale;
+    const PowerOfTwoScale& scale = this->Inputs.surface->scale;
     const std::string most = std::to_string(this->Self->MaximumNumberOfCells);
     std::ostringstream text;
     text << " refined surface meets a tolerance of " << scale.toUser(bound) << " instead of "
@@ -371,10 +356,9 @@ public:
 
   void WriteSurface(vtkDataObject* output, const Job& job) const
   {
-    const std::vector<PolyDataBlock>& inputs = this->Execution.surfaceBlocks();
-    const std::vector<SurfaceBlock>& blocks = this->Execution.surface().blocks;
-    const std::vector<vtkPolyData*> outputs =
-      makeBlocksLike(this->Execution.surfaceInput(), output);
+    const std::vector<PolyDataBlock>& inputs = this->Inputs.surfaceBlocks;
+    const std::vector<SurfaceBlock>& blocks = this->Inputs.surface->blocks;
+    const std::vector<vtkPolyData*> outputs = makeBlocksLike(this->Inputs.surfaceInput, output);
     const auto count = static_cast<double>(blocks.size());
     for (std::size_t i = 0; i < blocks.size(); ++i)
     {
@@ -383,7 +367,7 @@ public:
       const int pointType = this->TypeOfPoints(i);
       if (this->IsRefined)
       {
-        writeRefined(blocks[i], this->Refined[i].mesh, this->Execution.surface().scale, pointType,
+        writeRefined(blocks[i], this->Refined[i].mesh, this->Inputs.surface->scale, pointType,
           inputs[i].data, outputs[i], ofBlock);
       }
       else
@@ -404,15 +388,15 @@ public:
   /// One type on all ranks, whose pieces are one data set: files of pieces need that.
   int TypeOfPoints(std::size_t block) const
   {
-    const bool isInPieces = this->Execution.surfacePlace() == SurfacePlace::InPieces;
-    return typeOfPoints(this->Execution.surfaceBlocks()[block].data->GetPoints(),
+    return typeOfPoints(this->Inputs.surfaceBlocks[block].data->GetPoints(),
       this->Self->OutputPointsPrecision,
-      isInPieces ? this->HasNewPoints : !this->Refined[block].mesh.points.empty());
+      this->Inputs.rank.isInPieces() ? this->HasNewPoints
+                                     : !this->Refined[block].mesh.points.empty());
   }
 
   void WriteDistances(std::size_t index, vtkPolyData* output) const
   {
-    const PolyDataSurface& surface = this->Execution.surface();
+    const PolyDataSurface& surface = *this->Inputs.surface;
     const SurfaceBlock& block = surface.blocks[index];
     const auto distances =
       makeArray<vtkDoubleArray>(this->Self->DistanceArrayName, output->GetNumberOfPoints());
@@ -466,7 +450,7 @@ public:
   {
     const auto noteOn = [this](const char* kind, int type, const char* name, const char* advice)
     {
-      const std::vector<PolyDataBlock>& blocks = this->Execution.surfaceBlocks();
+      const std::vector<PolyDataBlock>& blocks = this->Inputs.surfaceBlocks;
       if (std::any_of(blocks.begin(), blocks.end(),
             [&](const PolyDataBlock& block)
             { return block.data->GetAttributesAsFieldData(type)->HasArray(name) != 0; }))
@@ -579,10 +563,26 @@ void vtkGeodesicDistanceField::ResetResults()
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::Compute(
-  FilterExecution& execution, vtkInformationVector* outputVector)
+ExecutionPlan vtkGeodesicDistanceField::Plan() const
 {
-  vtkWorker{ this, execution }.Run(
+  const SourceArrayChoice choice = vtkWorker::ChoiceOf(this);
+  ExecutionPlan plan;
+  const auto add = [&plan](Stage stage, bool isThere)
+  { plan.stages.insert(plan.stages.end(), isThere ? 1 : 0, stage); };
+  add(Stage::FindBorders, this->RefineMesh && vtkWorker::AreBordersRefined(this));
+  add(Stage::Solve, true);
+  add(Stage::Refine, this->RefineMesh);
+  add(Stage::SolveExactly, this->Accuracy == APPROXIMATE && choice.areFeetNeeded());
+  add(Stage::FindSources, choice.isAny());
+  add(Stage::Write, true);
+  return plan;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::Compute(
+  const Inputs& inputs, FilterExecution& execution, vtkInformationVector* outputVector)
+{
+  vtkWorker{ this, inputs, execution }.Run(
     vtkDataObject::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 1));
 }
 

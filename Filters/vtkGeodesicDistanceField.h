@@ -478,7 +478,9 @@ protected:
   std::string FindWrongProperty() const override;
   std::string AdviceOnMemory() const override;
   void ResetResults() override;
-  void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
+  geodesic::ExecutionPlan Plan() const override;
+  void Compute(const geodesic::Inputs& inputs, geodesic::FilterExecution& execution,
+    vtkInformationVector* outputVector) override;
 
 private:
   vtkGeodesicDistanceField(const vtkGeodesicDistanceField&) = delete;

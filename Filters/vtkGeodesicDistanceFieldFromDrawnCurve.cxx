@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceFieldFromDrawnCurve.h"
 
-#include "Errors.h"
-#include "PolyData/FilterExecution.h"
+#include "PolyData/Inputs.h"
 
 #include "vtkCellArray.h"
 #include "vtkObjectFactory.h"
@@ -126,26 +125,23 @@ void vtkGeodesicDistanceFieldFromDrawnCurve::SetExecutive(vtkExecutive* executiv
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceFieldFromDrawnCurve::Compute(
-  geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
+std::string vtkGeodesicDistanceFieldFromDrawnCurve::FindWrongProperty() const
 {
-  if (this->GetSourceType() == SOURCE_CURVE && this->GetNumberOfCurvePoints() == 0)
-  {
-    throw geodesic::SourceError(
-      "The curve has no points: give it one or more, or set Source Type to Surface Boundary.");
-  }
-  this->Superclass::Compute(execution, outputVector);
+  const std::string wrong = this->Superclass::FindWrongProperty();
+  const bool isCurveMissing =
+    this->SourceType == SOURCE_CURVE && this->Curve->GetNumberOfPoints() == 0;
+  return wrong.empty() && isCurveMissing
+    ? "The curve has no points: give it one or more, or set Source Type to Surface Boundary."
+    : wrong;
+}
 
+//------------------------------------------------------------------------------
+geodesic::ExecutionPlan vtkGeodesicDistanceFieldFromDrawnCurve::Plan() const
+{
+  geodesic::ExecutionPlan plan = this->Superclass::Plan();
   // Handles that are dragged beside the surface are meant: they go onto it without a word.
-  if (2.0 * execution.sources().snapDistance <= execution.surface().diagonal)
-  {
-    auto& notes = execution.notes().all;
-    notes.erase(
-      std::remove_if(notes.begin(), notes.end(),
-        [](const geodesic::Notes::Note& note)
-        { return note.input == geodesic::NoteOn::Source && note.cause == geodesic::FarNote; }),
-      notes.end());
-  }
+  plan.noteSourceBeyond = 0.5;
+  return plan;
 }
 
 //------------------------------------------------------------------------------

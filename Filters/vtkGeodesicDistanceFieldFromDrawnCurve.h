@@ -77,7 +77,8 @@ protected:
   vtkGeodesicDistanceFieldFromDrawnCurve();
   ~vtkGeodesicDistanceFieldFromDrawnCurve() override;
 
-  void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
+  std::string FindWrongProperty() const override;
+  geodesic::ExecutionPlan Plan() const override;
 
 private:
   vtkGeodesicDistanceFieldFromDrawnCurve(const vtkGeodesicDistanceFieldFromDrawnCurve&) = delete;

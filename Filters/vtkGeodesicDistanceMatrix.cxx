@@ -2,6 +2,7 @@
 #include "vtkGeodesicDistanceMatrix.h"
 
 #include "PolyData/FilterExecution.h"
+#include "PolyData/Inputs.h"
 #include "PolyData/Memory.h"
 #include "field/DistanceMatrix.h"
 
@@ -47,11 +48,12 @@ void AddSource(vtkIdType source, std::vector<double> distances, const Targets& t
 }
 
 /// \param maximumDistance in the units of the surface; 0: no limit.
-void ComputeTable(FilterExecution& execution, double maximumDistance, vtkTable* table)
+void ComputeTable(
+  const Inputs& inputs, double maximumDistance, FilterExecution& execution, vtkTable* table)
 {
-  const Targets targets = execution.readTargets();
+  const Targets& targets = inputs.targets;
   const auto rows = static_cast<vtkIdType>(targets.count);
-  const std::vector<vtkIdType>& sources = execution.sourceIds();
+  const std::vector<vtkIdType>& sources = inputs.sources.ids;
   const auto numberOfSources = static_cast<Id>(sources.size());
 
   const Job job = execution.begin(Stage::SolveForTargets);
@@ -59,10 +61,10 @@ void ComputeTable(FilterExecution& execution, double maximumDistance, vtkTable* 
   requireMemory(rows,
     static_cast<vtkIdType>(sizeof(vtkIdType)) +
       2 * static_cast<vtkIdType>(sizeof(double)) * numberOfSources);
-  const PowerOfTwoScale& scale = execution.surface().scale;
+  const PowerOfTwoScale& scale = inputs.surface->scale;
   std::vector<std::vector<double>> matrix =
-    distanceMatrix(execution.surface().mesh(), execution.sources().curves, numberOfSources,
-      targets.places, maximumDistance > 0.0 ? scale.toEngine(maximumDistance) : Infinity, job);
+    distanceMatrix(inputs.surface->mesh(), inputs.sources.curves, numberOfSources, targets.places,
+      maximumDistance > 0.0 ? scale.toEngine(maximumDistance) : Infinity, job);
 
   execution.begin(Stage::Write);
   const auto ids = makeArray<vtkIdTypeArray>("TargetId", rows);
@@ -131,15 +133,23 @@ std::string vtkGeodesicDistanceMatrix::AdviceOnMemory() const
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::Compute(
-  FilterExecution& execution, vtkInformationVector* outputVector)
+ExecutionPlan vtkGeodesicDistanceMatrix::Plan() const
 {
-  execution.requireTargets(true);
-  execution.readInputs({ Stage::ReadTargets, Stage::SolveForTargets, Stage::Write }, false);
+  ExecutionPlan plan;
+  plan.stages = { Stage::SolveForTargets, Stage::Write };
+  plan.targets = TargetPoints::OfTargetsOrSource;
+  plan.supportsPieces = false;
+  return plan;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceMatrix::Compute(
+  const Inputs& inputs, FilterExecution& execution, vtkInformationVector* outputVector)
+{
   vtkTable* table = vtkTable::GetData(outputVector);
-  if (execution.surfacePlace() != SurfacePlace::OnOtherRank)
+  if (inputs.rank.isWorking())
   {
-    ComputeTable(execution, this->MaximumDistance, table);
+    ComputeTable(inputs, this->MaximumDistance, execution, table);
   }
   MoveToFirstRank(execution.exchange(), table);
 }

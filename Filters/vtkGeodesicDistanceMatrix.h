@@ -96,7 +96,9 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   std::string FindWrongProperty() const override;
   std::string AdviceOnMemory() const override;
-  void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
+  geodesic::ExecutionPlan Plan() const override;
+  void Compute(const geodesic::Inputs& inputs, geodesic::FilterExecution& execution,
+    vtkInformationVector* outputVector) override;
 
 private:
   vtkGeodesicDistanceMatrix(const vtkGeodesicDistanceMatrix&) = delete;

@@ -2,6 +2,8 @@
 #include "vtkGeodesicPaths.h"
 
 #include "PolyData/FilterExecution.h"
+#include "PolyData/Inputs.h"
+#include "PolyData/ranks/SharedResults.h"
 #include "PolyData/writing/CellsOfFaces.h"
 #include "PolyData/writing/LineWriter.h"
 #include "PolyData/writing/SourceArrays.h"
@@ -26,7 +28,7 @@ namespace
 /// Gives paths the cells of their faces.
 ///
 /// \param faces of each path.
-void FindCells(const FilterExecution& execution, const std::vector<std::vector<RankAddress>>& faces,
+void FindCells(const Inputs& inputs, const std::vector<std::vector<RankAddress>>& faces,
   std::vector<PathOfTarget>& paths)
 {
   std::vector<RankAddress> all;
@@ -34,8 +36,7 @@ void FindCells(const FilterExecution& execution, const std::vector<std::vector<R
   {
     all.insert(all.end(), some.begin(), some.end());
   }
-  const std::vector<vtkIdType> cells =
-    cellsOfFaces(execution.surface(), execution.surfaceBlocks(), all);
+  const std::vector<vtkIdType> cells = cellsOfFaces(*inputs.surface, inputs.surfaceBlocks, all);
   auto next = cells.begin();
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
@@ -45,14 +46,14 @@ void FindCells(const FilterExecution& execution, const std::vector<std::vector<R
 }
 
 /// Finds the paths of all targets; where the surface is in pieces, of those in this rank's piece.
-std::vector<PathOfTarget> FindPaths(FilterExecution& execution, bool withCells)
+std::vector<PathOfTarget> FindPaths(
+  const Inputs& inputs, bool withCells, FilterExecution& execution)
 {
-  const Targets targets = execution.readTargets();
-  const PolyDataSurface& surface = execution.surface();
+  const Targets& targets = inputs.targets;
   std::vector<PathOfTarget> paths(targets.places.size());
   std::vector<std::vector<RankAddress>> faces(withCells ? paths.size() : 0);
-  const std::vector<vtkIdType>& ids = execution.sourceIds();
-  pathsToSource(surface.partition, execution.patch(), execution.sources().curves, targets.places,
+  const std::vector<vtkIdType>& ids = inputs.sources.ids;
+  pathsToSource(inputs.surface->partition, *inputs.patch, inputs.sources.curves, targets.places,
     execution.begin(Stage::SolveForTargets),
     [&](std::size_t i, const PathToSource& path)
     {
@@ -70,12 +71,12 @@ std::vector<PathOfTarget> FindPaths(FilterExecution& execution, bool withCells)
     });
   if (withCells)
   {
-    FindCells(execution, faces, paths);
+    FindCells(inputs, faces, paths);
   }
   paths.erase(std::remove_if(paths.begin(), paths.end(),
                 [](const PathOfTarget& path) { return path.points.empty(); }),
     paths.end());
-  execution.notes().add(NoteOn::Targets, targets.count - execution.sumOverPieces(paths.size()),
+  execution.notes().add(NoteOn::Targets, targets.count - inputs.sumOverPieces(paths.size()),
     "target", "targets", "not reached: no path on the surface leads from there to the source.");
   return paths;
 }
@@ -85,15 +86,14 @@ std::vector<PathOfTarget> FindPaths(FilterExecution& execution, bool withCells)
 /// \param paths found here.
 /// \returns those of this rank's targets, in their order.
 std::vector<PathOfTarget> SendHome(
-  const FilterExecution& execution, std::vector<PathOfTarget> paths)
+  const Inputs& inputs, std::vector<PathOfTarget> paths, Exchange& exchange)
 {
-  Exchange& exchange = execution.exchange();
-  const bool areFoundByAll = execution.surfacePlace() == SurfacePlace::OnEveryRank;
+  const bool areFoundByAll = inputs.rank.surface == SurfacePlace::OnEveryRank;
   std::vector<Message> messages = exchange.noMessages();
   for (PathOfTarget& found : paths)
   {
     const PathOfTarget path = std::move(found); // freed path by path
-    const int home = execution.rankOfTarget(path.target);
+    const int home = inputs.targetBlocks.rankOfPoint(path.target);
     if (!areFoundByAll || home == exchange.rank())
     {
       Message& message = messages[rankIndex(home)];
@@ -120,33 +120,43 @@ std::vector<PathOfTarget> SendHome(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector* outputVector)
+ExecutionPlan vtkGeodesicPaths::Plan() const
 {
-  execution.requireTargets();
-  execution.readInputs({ Stage::ReadTargets, Stage::SolveForTargets, Stage::Write }, true);
+  ExecutionPlan plan;
+  plan.stages = { Stage::SolveForTargets, Stage::Write };
+  plan.targets = TargetPoints::OfTargets;
+  return plan;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicPaths::Compute(
+  const Inputs& inputs, FilterExecution& execution, vtkInformationVector* outputVector)
+{
+  Exchange& exchange = execution.exchange();
+  const bool isWorking = inputs.rank.isWorking();
   std::vector<PathOfTarget> paths;
   SourceFrames frames;
   PowerOfTwoScale scale;
-  if (execution.surfacePlace() != SurfacePlace::OnOtherRank)
+  if (isWorking)
   {
-    paths = FindPaths(execution, this->GenerateFaceIds);
+    paths = FindPaths(inputs, this->GenerateFaceIds, execution);
     if (this->GenerateSourceAngle)
     {
-      const std::vector<SourceCurve>& curves = execution.sources().curves;
-      frames = framesBySource(CurvesOnPatch(execution.patch(), curves), curves,
-        execution.sourceIds(), execution.areSourcesNamed());
+      const Sources& sources = inputs.sources;
+      frames = framesBySource(CurvesOnPatch(*inputs.patch, sources.curves), sources.curves,
+        sources.ids, sources.areNamed);
     }
-    scale = execution.surface().scale;
+    scale = inputs.surface->scale;
   }
-  if (execution.exchange().numberOfRanks() > 1)
+  if (exchange.numberOfRanks() > 1)
   {
-    execution.shareResults(scale);
-    paths = SendHome(execution, std::move(paths));
+    shareResults(exchange, isWorking, scale);
+    paths = SendHome(inputs, std::move(paths), exchange);
   }
   if (this->GenerateSourceAngle)
   {
-    execution.shareResults(frames.frames);
-    execution.shareResults(frames.ids);
+    shareResults(exchange, isWorking, frames.frames);
+    shareResults(exchange, isWorking, frames.ids);
     addSourceFrames(frames, vtkPolyData::GetData(outputVector, 0));
   }
   writePaths(scale, paths,

@@ -129,7 +129,9 @@ protected:
   vtkGeodesicPaths() { this->SetNumberOfInputPorts(3); }
   ~vtkGeodesicPaths() override = default;
 
-  void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
+  geodesic::ExecutionPlan Plan() const override;
+  void Compute(const geodesic::Inputs& inputs, geodesic::FilterExecution& execution,
+    vtkInformationVector* outputVector) override;
 
 private:
   vtkGeodesicPaths(const vtkGeodesicPaths&) = delete;

@@ -2,6 +2,7 @@
 #include "PolyData/FieldSolver.h"
 
 #include "PolyData/FilterExecution.h"
+#include "PolyData/Inputs.h"
 #include "field/DistanceField.h"
 #include "field/NearestSource.h"
 #include "refinement/AdaptiveRefinement.h"
@@ -34,12 +35,13 @@ std::vector<Triangle> cornerPointsOf(const PolyDataSurface& surface)
   return points;
 }
 
-/// Solves and refines the surface and the sources of an execution.
+/// Solves and refines what an execution has read.
 struct FieldSolver
 {
-  FilterExecution& execution;
+  const Inputs& inputs;
   const FieldRequest& request;
-  const PolyDataSurface& surface = execution.surface();
+  FilterExecution& execution;
+  const PolyDataSurface& surface = *inputs.surface;
 
   SolvedSurface solve() const
   {
@@ -47,8 +49,8 @@ struct FieldSolver
     if (!this->request.isRefined)
     {
       const FrontOptions options = this->frontOptions(Stage::Solve);
-      solved.field.emplace(geodesic::solve(
-        this->surface.partition, this->execution.sourceWindows(options.job), options));
+      solved.field.emplace(
+        geodesic::solve(this->surface.partition, this->inputs.sourceWindows(options.job), options));
     }
     else
     {
@@ -103,7 +105,7 @@ struct FieldSolver
   {
     const FrontOptions options = this->frontOptions(Stage::Solve);
     return geodesic::solveForRefinement(this->surface.partition,
-      this->execution.sourceWindows(options.job), this->request.tolerance, options, pinned);
+      this->inputs.sourceWindows(options.job), this->request.tolerance, options, pinned);
   }
 
   /// With the windows of these faces.
@@ -115,7 +117,7 @@ struct FieldSolver
     options.maximumDistance /= 1.0 - std::min(largestError, 0.5);
     KeepFaces retention(this->surface.mesh(), std::move(faces));
     FrontResult front = propagate(
-      this->surface.partition, this->execution.sourceWindows(options.job), options, retention);
+      this->surface.partition, this->inputs.sourceWindows(options.job), options, retention);
     return { this->surface.partition, std::move(front), retention.release() };
   }
 
@@ -125,9 +127,9 @@ struct FieldSolver
     FrontOptions options = this->frontOptions(Stage::FindBorders);
     options.relativeError = 0.0;
     const DistanceField field =
-      geodesic::solve(this->surface.partition, this->execution.sourceWindows(options.job), options);
-    const std::vector<SourceCurve>& curves = this->execution.sources().curves;
-    NearestSource nearest(field, this->execution.patch(), curves, options.job.part(1.0, 1.0));
+      geodesic::solve(this->surface.partition, this->inputs.sourceWindows(options.job), options);
+    const std::vector<SourceCurve>& curves = this->inputs.sources.curves;
+    NearestSource nearest(field, *this->inputs.patch, curves, options.job.part(1.0, 1.0));
     return SourceRegions(field, nearest, curves, this->request.arrays.areSidesNeeded())
       .facesAtBorders();
   }
@@ -172,8 +174,8 @@ struct FieldSolver
         solved.exact.emplace(this->solveExactly(
           solved.field->relativeErrorBound(), this->surface.partition.ownFaces()));
       }
-      const std::vector<SourceCurve>& curves = this->execution.sources().curves;
-      nearest.emplace(solved.exactField(), this->execution.patch(), curves);
+      const std::vector<SourceCurve>& curves = this->inputs.sources.curves;
+      nearest.emplace(solved.exactField(), *this->inputs.patch, curves);
       regions.emplace(solved.exactField(), *nearest, curves, this->request.arrays.areSidesNeeded());
     }
     RefinementOptions options = this->refinementOptions();
@@ -188,9 +190,10 @@ struct FieldSolver
 
 } // anonymous namespace
 
-SolvedSurface solveField(FilterExecution& execution, const FieldRequest& request)
+SolvedSurface solveField(
+  const Inputs& inputs, const FieldRequest& request, FilterExecution& execution)
 {
-  return FieldSolver{ execution, request }.solve();
+  return FieldSolver{ inputs, request, execution }.solve();
 }
 
 }

@@ -13,6 +13,7 @@ namespace geodesic
 {
 
 class FilterExecution;
+struct Inputs;
 
 /// What a field is asked for, in the engine's units.
 struct FieldRequest
@@ -43,10 +44,11 @@ struct SolvedSurface
   const DistanceField& exactField() const { return this->exact ? *this->exact : *this->field; }
 };
 
-/// Solves and refines for vtkGeodesicDistanceField: the surface and the sources of an execution.
+/// Solves and refines for vtkGeodesicDistanceField.
 ///
 /// \throws geodesic::Error; Aborted
-SolvedSurface solveField(FilterExecution& execution, const FieldRequest& request);
+SolvedSurface solveField(
+  const Inputs& inputs, const FieldRequest& request, FilterExecution& execution);
 
 }
 

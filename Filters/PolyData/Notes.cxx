@@ -19,11 +19,6 @@ namespace geodesic
 namespace
 {
 
-// A source farther from the surface than this fraction of the diagonal of its bounding box was
-// hardly meant for it: the user is told. What comes from sections, resampled curves and clicks on
-// the surface is much closer.
-constexpr double FarSourceFraction = 0.01;
-
 // Enough to find the others by.
 constexpr std::size_t PointsNamed = 3;
 
@@ -40,7 +35,7 @@ struct FarPoints
 
 double farLimit(const PolyDataSurface& surface)
 {
-  return FarSourceFraction * surface.diagonal;
+  return FarFraction * surface.diagonal;
 }
 
 FarPoints farPointsOf(
@@ -152,11 +147,11 @@ void noteSurface(const PolyDataSurface& surface, Notes& notes)
 }
 
 void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
-  const SourcePolylines& source, const SourceCurves& onSurface, Notes& notes)
+  const SourcePolylines& source, const SourceCurves& onSurface, double beyond, Notes& notes)
 {
   notes.add(NoteOn::Source, source.droppedCells, "cell", "cells",
     "of the source left out: neither lines nor vertices.");
-  if (!(onSurface.snapDistance > farLimit(surface)))
+  if (!(onSurface.snapDistance > beyond * surface.diagonal))
   {
     return;
   }

@@ -29,6 +29,11 @@ enum class NoteOn
   Targets = 2
 };
 
+/// A source or targets that are farther from the surface than this fraction of the diagonal of its
+/// bounding box, were hardly meant for it: a note says so. What comes from sections, resampled
+/// curves and clicks on the surface is much closer.
+constexpr double FarFraction = 0.01;
+
 /// Note::cause of a source, or of targets, far from the surface.
 inline const char* const FarNote = "far";
 
@@ -87,8 +92,9 @@ void noteSurface(const PolyDataSurface& surface, Notes& notes);
 ///
 /// \param mesh on which the source was located.
 /// \param source before, and onSurface after that.
+/// \param beyond a source that is farther away than this fraction of the surface's diagonal is far.
 void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
-  const SourcePolylines& source, const SourceCurves& onSurface, Notes& notes);
+  const SourcePolylines& source, const SourceCurves& onSurface, double beyond, Notes& notes);
 
 /// What was noticed when targets were put onto the surface. All ranks call this together and note
 /// the same.

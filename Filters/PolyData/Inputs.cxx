@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/Inputs.h"
+
+#include "PolyData/FilterExecution.h"
+#include "PolyData/SurfaceCache.h"
+#include "PolyData/ranks/SourcePatch.h"
+#include "paths/FacesBetweenPoints.h"
+#include "paths/JoinPoints.h"
+#include "source/BoundaryCurves.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <string>
+#include <utility>
+
+namespace geodesic
+{
+
+namespace
+{
+
+const char* const SurfaceName = "the surface (input port 0)";
+const char* const SourceName = "the source (input port 1)";
+const char* const TargetsName = "the set of targets (input port 2)";
+
+/// Finds out who has what of the surface. All ranks call this together.
+RankRole findRole(
+  const std::vector<PolyDataBlock>& surfaceBlocks, bool supportsPieces, Exchange& exchange)
+{
+  using PointsAndFaces = std::array<vtkIdType, 2>;
+  constexpr PointsAndFaces nothing{ 0, 0 };
+  PointsAndFaces own = nothing;
+  for (const PolyDataBlock& block : surfaceBlocks)
+  {
+    own[0] += block.data->GetNumberOfPoints();
+    own[1] += block.data->GetNumberOfPolys() + block.data->GetNumberOfStrips();
+  }
+  const std::vector<PointsAndFaces> all = valuesOfRanks(exchange, own);
+  const auto emptyOnes = std::count(all.begin(), all.end(), nothing);
+  const int ranks = exchange.numberOfRanks();
+  const bool isFirst = exchange.rank() == 0;
+  if (emptyOnes + 1 >= ranks)
+  {
+    // If all are empty, rank 0 says so.
+    const bool isWorking = own != nothing || (isFirst && emptyOnes == ranks);
+    return { isWorking ? SurfacePlace::Here : SurfacePlace::OnOtherRank, isFirst };
+  }
+  bool areSame = std::count(all.begin(), all.end(), own) == ranks;
+  if (areSame)
+  {
+    const Fingerprint key = contentKey(surfaceBlocks);
+    const std::vector<Fingerprint> keys = valuesOfRanks(exchange, key);
+    areSame = std::count(keys.begin(), keys.end(), key) == ranks;
+  }
+  const SurfacePlace place = !areSame ? SurfacePlace::InPieces
+    : supportsPieces                  ? SurfacePlace::OnEveryRank
+    : isFirst                         ? SurfacePlace::Here
+                                      : SurfacePlace::OnOtherRank;
+  return { place, isFirst };
+}
+
+/// The sources and the patch that they lie on.
+struct SourcesOnPatch
+{
+  ReplicatedPatch patch;
+  Sources sources;
+  /// All ids are below.
+  vtkIdType idEnd = 0;
+};
+
+/// Reads the inputs of one execution.
+struct InputReader
+{
+  const InputRequest& request;
+  const ExecutionPlan& plan;
+  SurfaceCache& cache;
+  FilterExecution& execution;
+  Exchange& exchange = execution.exchange();
+  Notes& notes = execution.notes();
+
+  Inputs read() const
+  {
+    this->requireTargets();
+    const Job reading = this->execution.begin(Stage::ReadSurface);
+    Inputs inputs;
+    inputs.surfaceInput = this->request.surface;
+    inputs.surfaceBlocks = polyDataBlocks(this->request.surface, PartName(SurfaceName));
+    findBarrierArrays(inputs.surfaceBlocks, this->request.barrierArray, this->exchange);
+    const GatheredBlocks source = this->gatherSource();
+    if (this->plan.targets != TargetPoints::None)
+    {
+      inputs.targetBlocks = this->request.targets ? this->gatherTargets() : source;
+    }
+    inputs.rank = findRole(inputs.surfaceBlocks, this->plan.supportsPieces, this->exchange);
+    if (!inputs.rank.isWorking())
+    {
+      return inputs;
+    }
+    this->readSurface(inputs.surfaceBlocks, inputs.rank.isInPieces(), reading);
+    inputs.surface = &this->cache.surface();
+    SourcesOnPatch onPatch = this->readSources(inputs.surfaceBlocks, source.blocks);
+    inputs.patch = std::move(onPatch.patch);
+    inputs.sources = std::move(onPatch.sources);
+    if (this->plan.targets != TargetPoints::None)
+    {
+      inputs.targets = this->readTargets(inputs.targetBlocks.blocks);
+    }
+    return inputs;
+  }
+
+  /// \throws InputError if no points are connected that can be the targets.
+  void requireTargets() const
+  {
+    const bool isSourceEnough =
+      this->plan.targets == TargetPoints::OfTargetsOrSource && this->request.source;
+    if (this->plan.targets != TargetPoints::None && !this->request.targets && !isSourceEnough)
+    {
+      throw InputError(
+        "There are no targets (input port 2): choose a data set with points as Targets.");
+    }
+  }
+
+  /// Nothing if no source is connected.
+  GatheredBlocks gatherSource() const
+  {
+    if (!this->request.source)
+    {
+      return {};
+    }
+    const char* idArray = this->request.fromCurves ? this->request.sourceIdArray : nullptr;
+    const PartName name(SourceName);
+    return gatherBlocks(sourceBlocks(this->request.source, name, idArray), name, this->exchange);
+  }
+
+  GatheredBlocks gatherTargets() const
+  {
+    const PartName name(TargetsName);
+    return gatherBlocks(targetBlocks(this->request.targets, name), name, this->exchange);
+  }
+
+  /// Reads it into the cache.
+  void readSurface(const std::vector<PolyDataBlock>& blocks, bool isInPieces, const Job& job) const
+  {
+    if (isInPieces && !this->plan.supportsPieces)
+    {
+      throw InputError(
+        std::string("The surface (input port 0) is distributed over several ranks, of which ") +
+        this->request.filter +
+        " needs all on one. Run with one rank, or have the whole surface on one rank or on each.");
+    }
+    this->cache.update(
+      blocks, this->request.merging, isInPieces ? this->exchange : OneRank::instance(), job);
+    noteSurface(this->cache.surface(), this->notes);
+  }
+
+  SourcesOnPatch readSources(const std::vector<PolyDataBlock>& surfaceBlocks,
+    const std::vector<PolyDataBlock>& sourceBlocks) const
+  {
+    if (!this->request.fromBoundary && !this->request.source)
+    {
+      throw SourceError(
+        "There is no source: choose a Source, or set Source Type to Surface Boundary.");
+    }
+    const bool hasCurve = this->request.fromCurves && this->request.source;
+    if (hasCurve && this->request.source == this->request.surface)
+    {
+      this->notes.add(NoteOn::Source, "surface",
+        "The surface itself is the source: distances are measured from the outlines of all its "
+        "faces. Choose another Source.");
+    }
+    const PolyDataSurface& surface = this->cache.surface();
+    const Job locating = this->execution.begin(Stage::LocateSource);
+    SourcePatch faces(surface.partition);
+    std::optional<SurfaceBoundary> boundary;
+    if (this->request.fromBoundary)
+    {
+      boundary.emplace(surface, faces, locating.part(0.0, hasCurve ? 0.0 : 1.0));
+    }
+    SourcesOnPatch read = hasCurve ? this->readCurves(surfaceBlocks, sourceBlocks, faces, locating)
+                                   : SourcesOnPatch{ faces.make(), {}, 0 };
+    if (boundary)
+    {
+      this->addBoundary(boundary->curvesOn(read.patch), hasCurve, read);
+    }
+    return read;
+  }
+
+  /// \param faces those on the boundary, if distances are measured from there, too.
+  SourcesOnPatch readCurves(const std::vector<PolyDataBlock>& surfaceBlocks,
+    const std::vector<PolyDataBlock>& blocks, SourcePatch& faces, const Job& locating) const
+  {
+    const PolyDataSurface& surface = this->cache.surface();
+    SourcePolylines source = readSource(blocks, surface, this->request.areLinesJoined);
+    const double precision = coordinatePrecisionOf(blocks);
+    const LocatedPlaces located =
+      this->cache.locator().locate(source.polylines, precision, locating);
+    requireOutsideBarriers(surface, surfaceBlocks, source.polylines, located, precision);
+    faces.addFacesAround(located);
+    ReplicatedPatch patch = faces.make();
+    located.setFaces(patch, source.polylines);
+    const bool isDistributed = surface.partition.isDistributed();
+    const Job joining = this->execution.begin(Stage::JoinSource);
+    const double patchMade = isDistributed ? 0.8 : 0.0;
+    if (isDistributed &&
+      faces.addFaces(facesBetweenPoints(
+        surface.partition, patch, source.polylines, precision, joining.part(0.0, patchMade))))
+    {
+      patch = faces.make();
+      located.setFaces(patch, source.polylines);
+    }
+    const TriangleMesh& mesh = patch.mesh();
+    const JoinPoints join = joinByShortestPaths(mesh);
+    // With several ranks the next patch numbers its faces in another way.
+    JoinedPaths ofThisPatch;
+    JoinedPaths& paths = isDistributed ? ofThisPatch : this->cache.joinedPaths();
+    paths.beginUse();
+    SourceCurves curves = putOntoSurface(
+      mesh, source.polylines, precision, paths.reusedBy(join), joining.part(patchMade, 1.0));
+    paths.endUse();
+    noteSource(surface, mesh, source, curves, this->plan.noteSourceBeyond, this->notes);
+    const bool areNamed = std::any_of(blocks.begin(), blocks.end(),
+      [](const PolyDataBlock& block) { return !block.sourceIds.empty(); });
+    const auto count = static_cast<Id>(source.ids.size());
+    return { std::move(patch), { std::move(curves), std::move(source.ids), areNamed, count },
+      source.idEnd };
+  }
+
+  /// Adds the loops of the boundary to the curves.
+  void addBoundary(std::vector<SourceCurve> loops, bool hasCurve, SourcesOnPatch& read) const
+  {
+    vtkIdType next = read.idEnd;
+    for (SourceCurve& loop : loops)
+    {
+      loop.source = static_cast<Id>(read.sources.ids.size());
+      read.sources.ids.push_back(next++);
+    }
+    const bool isClosed = loops.empty();
+    if (this->cache.surface().barriers)
+    {
+      loops = boundaryOutsideBarriers(loops, read.patch.mesh());
+    }
+    const std::string nothing = isClosed
+      ? "The surface (input port 0) is closed: it has no boundary to measure from."
+      : "The whole boundary of the surface (input port 0) belongs to barriers (BarrierArrayName), "
+        "which no path may leave.";
+    if (loops.empty() && !hasCurve)
+    {
+      throw SourceError(nothing + " Set Source Type to Source Curve and choose a Source.");
+    }
+    if (loops.empty())
+    {
+      this->notes.add(NoteOn::Surface, "no boundary",
+        isClosed ? "The surface is closed, without boundary: the curve alone is the source."
+                 : "The whole boundary belongs to barriers: the curve alone is the source.");
+    }
+    if (!hasCurve && this->request.fromCurves)
+    {
+      this->notes.add(NoteOn::Source, "no curve",
+        "No curve is connected as Source: the boundary alone is the source.");
+    }
+    std::move(loops.begin(), loops.end(), std::back_inserter(read.sources.curves));
+  }
+
+  Targets readTargets(const std::vector<PolyDataBlock>& blocks) const
+  {
+    const Job job = this->execution.begin(Stage::ReadTargets);
+    const PolyDataSurface& surface = this->cache.surface();
+    const PartName name(
+      this->request.targets ? TargetsName : "the set of targets (points of input port 1)");
+    Targets targets = geodesic::readTargets(blocks, name, surface, this->cache.locator(), job);
+    // If the targets are the points of a source that is far away, the note on the source says so.
+    if (this->request.targets || !this->notes.has(NoteOn::Source, FarNote))
+    {
+      noteTargets(surface, blocks, targets,
+        this->request.targets ? NoteOn::Targets : NoteOn::Source, this->notes);
+    }
+    return targets;
+  }
+};
+
+}
+
+std::vector<Stage> ExecutionPlan::allStages() const
+{
+  std::vector<Stage> all = { Stage::ReadSurface, Stage::LocateSource, Stage::JoinSource };
+  if (this->targets != TargetPoints::None)
+  {
+    all.push_back(Stage::ReadTargets);
+  }
+  all.insert(all.end(), this->stages.begin(), this->stages.end());
+  return all;
+}
+
+SourceWindows Inputs::sourceWindows(const Job& job) const
+{
+  return sourceWindowsOfPartition(this->surface->partition, *this->patch,
+    startingWindows(this->patch->mesh(), this->sources.curves, job));
+}
+
+Inputs readInputs(const InputRequest& request, const ExecutionPlan& plan, SurfaceCache& cache,
+  FilterExecution& execution)
+{
+  return InputReader{ request, plan, cache, execution }.read();
+}
+
+}
