@@ -75,37 +75,30 @@ struct FieldSolver
     return options;
   }
 
-  /// Repeats the solve if a border passes faces whose windows were dropped. Each repetition keeps
-  /// those of more faces.
+  /// Solves again, with the windows of more faces kept, if windows are missing: where the distance
+  /// is not linear after all, which the solve finds, or where a border passes, which refinement
+  /// finds.
   SolvedSurface solveAndRefine() const
   {
     const bool areBordersRefined = this->request.areBordersRefined;
-    std::vector<std::uint8_t> pinned;
-    if (areBordersRefined)
+    PinnedFaces pinned(this->surface.partition,
+      areBordersRefined ? this->findFacesAtBorders() : std::vector<std::uint8_t>());
+    for (;;)
     {
-      pinned = this->findFacesAtBorders();
-    }
-    SolvedSurface solved;
-    bool isRepeated = true;
-    while (isRepeated)
-    {
-      solved.field.emplace(this->solveForRefinement(pinned));
-      this->refine(solved);
-      const std::vector<Id>& unknown = solved.refined.mesh.unknownAtBorders;
-      for (const Id face : unknown)
+      SolvedSurface solved;
+      const FrontOptions options = this->frontOptions(Stage::Solve);
+      solved.field = trySolveForRefinement(this->surface.partition,
+        this->inputs.sourceWindows(options.job), this->request.tolerance, options, pinned);
+      if (!solved.field)
       {
-        pinned[face] = 1;
+        continue;
       }
-      isRepeated = areBordersRefined && this->surface.exchange().isTrueAnywhere(!unknown.empty());
+      this->refine(solved);
+      if (!areBordersRefined || !pinned.pin(solved.refined.mesh.unknownAtBorders))
+      {
+        return solved;
+      }
     }
-    return solved;
-  }
-
-  DistanceField solveForRefinement(const std::vector<std::uint8_t>& pinned) const
-  {
-    const FrontOptions options = this->frontOptions(Stage::Solve);
-    return geodesic::solveForRefinement(this->surface.partition,
-      this->inputs.sourceWindows(options.job), this->request.tolerance, options, pinned);
   }
 
   /// With the windows of these faces.

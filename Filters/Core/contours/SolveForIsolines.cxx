@@ -4,6 +4,7 @@
 #include "Tolerance.h"
 #include "field/DistanceField.h"
 #include "field/DistanceRange.h"
+#include "field/SolveDropping.h"
 #include "front/Retention.h"
 
 #include <algorithm>
@@ -119,9 +120,17 @@ private:
 DistanceField solveForIsolines(const MeshPartition& surface, const SourceWindows& sources,
   const std::vector<double>& values, const FrontOptions& options, int maximumDroppingSolves)
 {
-  return solveDropping(surface, sources, options, maximumDroppingSolves,
-    [&](const std::vector<std::uint8_t>& pinned)
-    { return IsolineRetention(surface, values, pinned); });
+  PinnedFaces pinned(surface, {}, maximumDroppingSolves);
+  for (;;)
+  {
+    std::optional<DistanceField> field = solveDropping(surface, sources, options, pinned,
+      [&](const std::vector<std::uint8_t>& faces)
+      { return IsolineRetention(surface, values, faces); });
+    if (field)
+    {
+      return std::move(*field);
+    }
+  }
 }
 
 DistanceField solveForIsolines(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,

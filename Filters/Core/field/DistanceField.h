@@ -118,38 +118,6 @@ DistanceField solve(const MeshPartition& surface, SourceWindows sources,
 DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options = {}, KeepWindows keep = KeepWindows::None);
 
-/// Solves with windows dropped. If any rank has dropped windows that turn out to be needed, all
-/// ranks solve again and keep these. The last solve keeps all windows of their faces.
-///
-/// \param maximumSolves the largest number of solves that drop windows.
-/// \param makeRetention (pinned) -> a retention with droppedTooEarly() and release(). For each
-/// face,
-///        `pinned` is not 0 if the face's windows must not be dropped.
-/// \param pinned faces whose windows must not be dropped in the first solve; empty: none.
-template <typename MakeRetention>
-DistanceField solveDropping(const MeshPartition& surface, const SourceWindows& sources,
-  const FrontOptions& options, int maximumSolves, const MakeRetention& makeRetention,
-  std::vector<std::uint8_t> pinned = {})
-{
-  pinned.resize(surface.mesh().numberOfFaces(), 0);
-  for (int solves = 0; solves < maximumSolves; ++solves)
-  {
-    auto retention = makeRetention(pinned);
-    FrontResult front = propagate(surface, sources, options, retention);
-    if (!surface.exchange().isTrueAnywhere(!retention.droppedTooEarly().empty()))
-    {
-      return { surface, std::move(front), retention.release() };
-    }
-    for (const Id face : retention.droppedTooEarly())
-    {
-      pinned[face] = 1;
-    }
-  }
-  KeepFaces all(surface.mesh(), surface.ownFaces());
-  FrontResult front = propagate(surface, sources, options, all);
-  return { surface, std::move(front), all.release() };
-}
-
 }
 
 #endif

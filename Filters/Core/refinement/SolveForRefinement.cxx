@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/SolveForRefinement.h"
 
-#include "field/DistanceField.h"
 #include "refinement/RefinementRetention.h"
 
 #include <algorithm>
@@ -17,24 +16,41 @@ double maximumMergedFor(double refinementTolerance)
   return 0.1 * refinementTolerance;
 }
 
-DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindows& sources,
-  double refinementTolerance, const FrontOptions& options, const std::vector<std::uint8_t>& pinned,
-  int maximumDroppingSolves)
+std::optional<DistanceField> trySolveForRefinement(const MeshPartition& surface,
+  const SourceWindows& sources, double refinementTolerance, const FrontOptions& options,
+  PinnedFaces& pinned)
 {
   FrontOptions merging = options;
   merging.maximumMerged = std::min(options.maximumMerged, maximumMergedFor(refinementTolerance));
-  return solveDropping(
-    surface, sources, merging, options.relativeError > 0.0 ? 0 : maximumDroppingSolves,
-    [&](const std::vector<std::uint8_t>& kept)
-    { return RefinementRetention(surface, refinementTolerance, kept, options.job); },
-    pinned);
+  if (options.relativeError > 0.0)
+  {
+    pinned.pinAll();
+  }
+  return solveDropping(surface, sources, merging, pinned,
+    [&](const std::vector<std::uint8_t>& faces)
+    { return RefinementRetention(surface, refinementTolerance, faces, options.job); });
+}
+
+DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindows& sources,
+  double refinementTolerance, const FrontOptions& options, int maximumDroppingSolves)
+{
+  PinnedFaces pinned(surface, {}, maximumDroppingSolves);
+  for (;;)
+  {
+    std::optional<DistanceField> field =
+      trySolveForRefinement(surface, sources, refinementTolerance, options, pinned);
+    if (field)
+    {
+      return std::move(*field);
+    }
+  }
 }
 
 DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   double refinementTolerance, const FrontOptions& options, int maximumDroppingSolves)
 {
   return solveForRefinement(MeshPartition(mesh), startingWindows(mesh, sources, options.job),
-    refinementTolerance, options, {}, maximumDroppingSolves);
+    refinementTolerance, options, maximumDroppingSolves);
 }
 
 }

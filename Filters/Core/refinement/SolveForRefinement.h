@@ -3,35 +3,38 @@
 #define geodesic_SolveForRefinement_h
 
 #include "field/DistanceField.h"
+#include "field/SolveDropping.h"
 
+#include <optional>
 #include <vector>
 
 namespace geodesic
 {
 
-/// Computes a field that refine() can refine to this or a larger tolerance. It keeps windows only
-/// where the distance is not linear within the tolerance. An approximate solve keeps all windows,
-/// and merges those of one halfedge by at most maximumMergedFor(tolerance), whatever the relative
-/// error.
+/// Solves once for a field that refine() can refine to this or a larger tolerance. It keeps windows
+/// only where faces are pinned or the distance is not linear within the tolerance. An approximate
+/// solve keeps all windows, and merges those of one halfedge by at most
+/// maximumMergedFor(tolerance), whatever the relative error.
 ///
-/// If dropped windows turn out to be needed, the solve is repeated and keeps them. One repetition
-/// is nearly always enough; each further one is for faces that the previous one has made necessary.
-/// The last repetition keeps all windows, which guarantees an end.
+/// If dropped windows turn out to be needed, pins their faces and returns nothing: then solve
+/// again. One repetition is nearly always enough; each further one is for faces that the previous
+/// one has made necessary.
 ///
-/// Ranks that share the surface make all solves together. The field is known in the faces that each
-/// rank owns.
+/// Ranks that share the surface solve together. The field is known in the faces that each rank
+/// owns.
 ///
 /// \param surface whose mesh must outlive the field.
 /// \param sources the first windows and vertices (propagate()).
 /// \param tolerance in the surface's units, positive.
-/// \param pinned for each face, whether its windows are kept whatever the distance is; empty: none
-///        are.
-/// \param maximumDroppingSolves the number of solves that may drop windows; at most one more solve
-///        follows, which keeps all.
 /// \throws as solve().
+std::optional<DistanceField> trySolveForRefinement(const MeshPartition& surface,
+  const SourceWindows& sources, double tolerance, const FrontOptions& options, PinnedFaces& pinned);
+
+/// Solves until no window is missing.
+///
+/// \param maximumDroppingSolves see PinnedFaces.
 DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindows& sources,
-  double tolerance, const FrontOptions& options = {}, const std::vector<std::uint8_t>& pinned = {},
-  int maximumDroppingSolves = 4);
+  double tolerance, const FrontOptions& options = {}, int maximumDroppingSolves = 4);
 
 /// In one process, from curves.
 DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,

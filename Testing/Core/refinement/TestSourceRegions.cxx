@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <optional>
 #include <utility>
 
 using namespace geodesictest;
@@ -70,10 +71,8 @@ std::vector<std::uint8_t> facesAtBorders(const Task& task)
   return SourceRegions(atVertices, nearest, task.curves, task.by == By::Sides).facesAtBorders();
 }
 
-Result refineWith(const Task& task, const std::vector<std::uint8_t>& pinned)
+Result refineOf(const Task& task, DistanceField field)
 {
-  DistanceField field = geodesic::solveForRefinement(
-    task.surface, task.sources, task.tolerance, task.frontOptions(), pinned);
   NearestSource nearest(field, task.patch, task.curves);
   SourceRegions regions(field, nearest, task.curves, task.by == By::Sides);
   geodesic::RefinementOptions options;
@@ -89,18 +88,23 @@ Result refineWith(const Task& task, const std::vector<std::uint8_t>& pinned)
 /// kept.
 Result refineAlongBorders(const Task& task)
 {
-  std::vector<std::uint8_t> pinned = facesAtBorders(task);
+  geodesic::PinnedFaces pinned(task.surface, facesAtBorders(task));
   for (;;)
   {
-    Result result = refineWith(task, pinned);
-    if (!task.surface.exchange().isTrueAnywhere(!result.refined.unknownAtBorders.empty()))
+    std::optional<DistanceField> field = geodesic::trySolveForRefinement(
+      task.surface, task.sources, task.tolerance, task.frontOptions(), pinned);
+    if (!field)
     {
-      return result;
+      continue;
     }
+    Result result = refineOf(task, std::move(*field));
     for (const Id face : result.refined.unknownAtBorders)
     {
-      EXPECT_EQ(pinned[face], 0);
-      pinned[face] = 1;
+      EXPECT_EQ(pinned.faces()[face], 0);
+    }
+    if (!pinned.pin(result.refined.unknownAtBorders))
+    {
+      return result;
     }
   }
 }
