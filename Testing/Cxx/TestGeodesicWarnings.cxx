@@ -277,6 +277,13 @@ void CheckFarPointsOfSourceAsTargets(Check& check)
   messages.Update();
   check.That(Contains(messages.Warning(), "The targets are up to 1 away"),
     "a source that is the targets only: " + messages.Warning());
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, PointSources({ { 1, 0, 0 } }));
+  blocks->SetBlock(1, PointSources({ { 1, 0, 0 }, { 0, 0, 1 } }));
+  matrix->SetSourceData(blocks);
+  messages.Update();
+  check.That(Contains(messages.Warning(), "at 1 of 3 points: point 1 of block 2."),
+    "blocks of a source that are the targets only: " + messages.Warning());
 }
 
 /// What a property is the cause of is told for each of its values.

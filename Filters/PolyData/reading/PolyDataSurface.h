@@ -138,10 +138,10 @@ struct PolyDataSurface
   /// ones. Without a table each point of the input is a vertex of the mesh, of the same number.
   VertexOfPoint vertexOf;
   std::vector<SurfaceBlock> blocks;
-  Id numberOfPoints;
+  Id numberOfPoints = 0;
   /// The triangles that the output has if it is not refined. Of those on the same vertices the mesh
   /// has one: triangleOf() tells which.
-  Id numberOfTriangles;
+  Id numberOfTriangles = 0;
   /// The role of each triangle; empty if all are open.
   std::vector<TriangleRole> roles;
   /// The triangles that are open, unless all are, and those that are barriers.
@@ -152,8 +152,13 @@ struct PolyDataSurface
   /// Around the points that triangles use, on the mesh; of the whole surface.
   Box box;
   /// The diagonal of the box.
-  double diagonal;
+  double diagonal = 0.0;
   SurfaceReport report;
+
+  explicit PolyDataSurface(MeshPartition part)
+    : partition(std::move(part))
+  {
+  }
 
   const TriangleMesh& mesh() const { return this->partition.mesh(); }
   Exchange& exchange() const { return this->partition.exchange(); }

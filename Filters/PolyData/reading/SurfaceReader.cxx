@@ -577,10 +577,22 @@ struct SurfaceReader
       findCracks(partition, diagonal, this->report);
     }
     const SurfaceReport ofAllRanks = reportOfAllRanks(this->report, partition);
-    return { std::move(partition), std::move(elsewhere), std::move(barriers), std::move(inBarriers),
-      std::move(this->vertices.of), std::move(this->blocks), this->numberOfPoints,
-      numberOfTriangles, std::move(this->roles), std::move(faces.openTriangles),
-      std::move(faces.barrierTriangles), this->scale, whole, diagonal, ofAllRanks };
+    PolyDataSurface surface(std::move(partition));
+    surface.valuesElsewhere = std::move(elsewhere);
+    surface.barriers = std::move(barriers);
+    surface.barrierVertices = std::move(inBarriers);
+    surface.vertexOf = std::move(this->vertices.of);
+    surface.blocks = std::move(this->blocks);
+    surface.numberOfPoints = this->numberOfPoints;
+    surface.numberOfTriangles = numberOfTriangles;
+    surface.roles = std::move(this->roles);
+    surface.openTriangles = std::move(faces.openTriangles);
+    surface.barrierTriangles = std::move(faces.barrierTriangles);
+    surface.scale = this->scale;
+    surface.box = whole;
+    surface.diagonal = diagonal;
+    surface.report = ofAllRanks;
+    return surface;
   }
 };
 
