@@ -31,6 +31,17 @@ bool isPositive(double value)
   return value > 0.0 && value < Infinity;
 }
 
+/// The values that lines are drawn at.
+struct LineValues
+{
+  /// In the user's scale: ascending, each once, without 0.
+  std::vector<double> values;
+  bool hasZero = false;
+  /// The distances of all values, ascending, each once; and which values each stands for.
+  std::vector<double> distances;
+  std::vector<SidedValue> sides;
+};
+
 }
 
 /// The work of one execution.
@@ -40,15 +51,9 @@ public:
   vtkGeodesicContour* Self;
   const geodesic::Inputs& Inputs;
   FilterExecution& Execution;
-  /// In the user's scale: ascending, each once, without 0.
-  std::vector<double> Values{};
-  bool HasZero = false;
-  /// The distances of all values, ascending, each once; and which values each stands for.
-  std::vector<double> Distances{};
-  std::vector<SidedValue> Sides{};
 
   /// \throws Error
-  void Run(vtkPolyData* output)
+  void Run(vtkPolyData* output) const
   {
     if (!this->Inputs.rank.isWorking())
     {
@@ -61,20 +66,21 @@ public:
     {
       requireSides(surface, this->Inputs.surfaceBlocks, "SignedDistances");
     }
-    this->FindValues();
-    const Isolines isolines = this->Draw();
+    const LineValues wanted = this->FindValues();
+    const Isolines isolines = this->Draw(wanted);
     this->Execution.notes().add(NoteOn::Surface,
       this->Inputs.sumOverPieces(isolines.linesWithoutDirection), "line crosses", "lines cross",
       "faces of opposite orientation: the direction of such a line says nothing.");
-    const bool hasCurves = this->HasZero && this->Inputs.rank.writesSource();
-    writeIsolines({ surface.mesh(), isolines, this->Values, this->Inputs.patch->mesh(),
+    const bool hasCurves = wanted.hasZero && this->Inputs.rank.writesSource();
+    writeIsolines({ surface.mesh(), isolines, wanted.values, this->Inputs.patch->mesh(),
                     hasCurves ? this->Inputs.sources.curves : std::vector<SourceCurve>() },
       surface.scale, output, this->Execution.begin(Stage::Write));
   }
 
   /// Values that the engine cannot tell apart, which drops digits of tiny ones, are one.
-  void FindValues()
+  LineValues FindValues() const
   {
+    LineValues found;
     std::vector<double> sorted;
     for (vtkIdType i = 0; i < this->Self->GetNumberOfContours(); ++i)
     {
@@ -85,7 +91,7 @@ public:
     for (const double value : sorted)
     {
       const double inEngine = this->Inputs.surface->scale.toEngine(value);
-      this->HasZero = this->HasZero || inEngine == 0.0;
+      found.hasZero = found.hasZero || inEngine == 0.0;
       if (inEngine == 0.0 || !(std::abs(inEngine) < Infinity))
       {
         continue;
@@ -94,21 +100,22 @@ public:
       std::size_t& index = inEngine < 0.0 ? sides.right : sides.left;
       if (index == SidedValue::None)
       {
-        index = this->Values.size();
-        this->Values.push_back(value);
+        index = found.values.size();
+        found.values.push_back(value);
       }
     }
     for (const auto& [distance, sides] : byDistance)
     {
-      this->Distances.push_back(distance);
-      this->Sides.push_back(sides);
+      found.distances.push_back(distance);
+      found.sides.push_back(sides);
     }
+    return found;
   }
 
-  Isolines Draw() const
+  Isolines Draw(const LineValues& wanted) const
   {
     IsolineOptions options;
-    options.values = this->Distances;
+    options.values = wanted.distances;
     options.chordTolerance = this->Self->ToleranceIsAbsolute
       ? this->Inputs.surface->scale.toEngine(this->Self->AbsoluteChordTolerance)
       : this->Self->ChordTolerance * this->Inputs.surface->diagonal;
@@ -121,13 +128,14 @@ public:
     front.keepArrivals = this->Self->SignedDistances;
     front.job = this->Execution.begin(Stage::Solve);
     const DistanceField field = solveForIsolines(this->Inputs.surface->partition,
-      this->Inputs.sourceWindows(front.job), this->Distances, front);
+      this->Inputs.sourceWindows(front.job), wanted.distances, front);
     options.job = this->Execution.begin(Stage::DrawLines);
     Isolines isolines = drawIsolines(field, options);
-    return this->Self->SignedDistances ? this->OnSides(field, isolines) : isolines;
+    return this->Self->SignedDistances ? this->OnSides(field, isolines, wanted.sides) : isolines;
   }
 
-  Isolines OnSides(const DistanceField& field, const Isolines& isolines) const
+  Isolines OnSides(const DistanceField& field, const Isolines& isolines,
+    const std::vector<SidedValue>& sides) const
   {
     const std::vector<SourceCurve>& curves = this->Inputs.sources.curves;
     const Job job = this->Execution.begin(Stage::FindSides);
@@ -135,7 +143,7 @@ public:
     return linesOnSides(
       field, nearest,
       [&](const Foot& foot) { return isOnRight(foot, curves, this->Inputs.sources.firstBoundary); },
-      isolines, this->Sides, job.part(0.5, 1.0));
+      isolines, sides, job.part(0.5, 1.0));
   }
 };
 

@@ -75,9 +75,34 @@ double roundLength(double length)
   return largest;
 }
 
+/// What the arrays beside the distance hold.
+struct ValuesBySource
+{
+  ValuesAtPoints atVertices;
+  ValuesAtPoints atRefinedPoints;
+  /// What angles are measured in, and arc lengths along the curves: see SourceArrays.
+  SourceFrames frames;
+  std::vector<std::vector<double>> arcLengthsOfCurves;
+};
+
+/// What an execution has computed. On ranks that do not work, whether the others have refined, and
+/// their frames.
+struct FieldResult
+{
+  std::vector<double> vertexDistances;
+  bool isRefined = false;
+  /// Whether refinement has added points on any rank.
+  bool hasNewPoints = false;
+  /// The refined mesh, and the values at its points, by blocks of the surface; nothing for each
+  /// unless it is refined.
+  std::vector<RefinedBlock> refined;
+  /// Their values at refined points are in the blocks.
+  ValuesBySource bySource;
+};
+
 }
 
-/// The work of one execution.
+/// The work of one execution: computes a FieldResult, and writes it.
 class vtkGeodesicDistanceField::vtkWorker
 {
 public:
@@ -85,22 +110,6 @@ public:
   const geodesic::Inputs& Inputs;
   FilterExecution& Execution;
   const SourceArrayChoice Choice = ChoiceOf(Self);
-
-  std::vector<double> VertexDistances{};
-  bool IsRefined = false;
-  /// How far points of a refined output are from where they belong.
-  Displacements Displaced{};
-  /// Whether refinement has added points on any rank.
-  bool HasNewPoints = false;
-  /// The refined mesh, by blocks of the surface; nothing for each unless it is refined.
-  std::vector<RefinedBlock> Refined{};
-  /// What the arrays beside the distance hold at vertices and, before these are divided into
-  /// blocks, at refined points.
-  ValuesAtPoints AtVertices{};
-  ValuesAtPoints AtRefinedPoints{};
-  /// What angles are measured in, and arc lengths along the curves: see SourceArrays.
-  SourceFrames Frames{};
-  std::vector<std::vector<double>> ArcLengthsOfCurves{};
 
   static SourceArrayChoice ChoiceOf(const vtkGeodesicDistanceField* self)
   {
@@ -115,50 +124,48 @@ public:
   }
 
   /// \throws Error
-  void Run(vtkDataObject* output, vtkPolyData* curves)
+  void Run(vtkDataObject* output, vtkPolyData* curves) const
   {
+    FieldResult result;
     if (this->Inputs.rank.isWorking())
     {
-      this->Self->SourceSnapDistance =
-        this->Inputs.surface->scale.toUser(this->Inputs.sources.snapDistance);
-      this->Self->SourceLength = this->LengthOfSource();
-      this->Self->SeamPointsJoined = this->Inputs.surface->report.joinedSeamPoints;
-      this->Compute();
+      result = this->Compute();
     }
-    this->ShareNumbers();
+    this->Share(result);
     const Job writing = this->Execution.begin(Stage::Write);
     if (!this->Inputs.rank.isWorking())
     {
-      this->WriteNothing(output);
+      this->WriteNothing(result, output);
       return;
     }
-    this->NoteReplacedArrays();
-    this->WriteSurface(output, writing);
+    this->NoteReplacedArrays(result.isRefined);
+    this->WriteSurface(result, output, writing);
     if (this->Inputs.rank.writesSource())
     {
       writeCurves(this->Inputs.patch->mesh(), this->Inputs.surface->scale,
-        this->Inputs.sources.curves, this->Inputs.sources.ids, this->ArcLengthsOfCurves, curves);
+        this->Inputs.sources.curves, this->Inputs.sources.ids, result.bySource.arcLengthsOfCurves,
+        curves);
     }
   }
 
   /// If another rank has done all the work, this one reports the same.
-  void ShareNumbers()
+  void Share(FieldResult& result) const
   {
     Exchange& exchange = this->Execution.exchange();
     const bool isWorking = this->Inputs.rank.isWorking();
     shareResults(exchange, isWorking, this->Self->WindowsPropagatedPerEdge,
       this->Self->SourceLength, this->Self->SourceSnapDistance, this->Self->RelativeErrorBound,
-      this->Self->InterpolationErrorBound, this->Self->SeamPointsJoined, this->IsRefined,
-      this->HasNewPoints);
+      this->Self->InterpolationErrorBound, this->Self->SeamPointsJoined, result.isRefined,
+      result.hasNewPoints);
     if (this->Choice.angles)
     {
-      shareResults(exchange, isWorking, this->Frames.frames);
-      shareResults(exchange, isWorking, this->Frames.ids);
+      shareResults(exchange, isWorking, result.bySource.frames.frames);
+      shareResults(exchange, isWorking, result.bySource.frames.ids);
     }
   }
 
   /// A rank without surface has the arrays of the other ranks, without values.
-  void WriteNothing(vtkDataObject* output) const
+  void WriteNothing(const FieldResult& result, vtkDataObject* output) const
   {
     for (vtkPolyData* block : makeBlocksLike(this->Inputs.surfaceInput, output))
     {
@@ -166,15 +173,16 @@ public:
       block->GetPointData()->AddArray(distances);
       block->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
       addEmptyArrays(this->Choice, block);
-      if (this->IsRefined)
+      if (result.isRefined)
       {
         block->GetCellData()->AddArray(makeArray<vtkIdTypeArray>("OriginalCellIds", 0));
       }
-      const int type = typeOfPoints(nullptr, this->Self->OutputPointsPrecision, this->HasNewPoints);
+      const int type =
+        typeOfPoints(nullptr, this->Self->OutputPointsPrecision, result.hasNewPoints);
       block->SetPoints(storePoints(nullptr, type, {}, {}));
-      this->WriteFieldData(block);
+      this->WriteFieldData(result.bySource.frames, block);
     }
-    this->WriteFieldData(output);
+    this->WriteFieldData(result.bySource.frames, output);
   }
 
   double LengthOfSource() const
@@ -206,10 +214,10 @@ public:
   /// What is left of the tolerance for the interpolant, beside the displacement of points. A part
   /// of at least a half, so that refinement ends; all if the displacement alone is over the
   /// tolerance, which no refinement can meet then.
-  double ToleranceOfInterpolant() const
+  double ToleranceOfInterpolant(const Displacements& displaced) const
   {
     const double tolerance = this->Tolerance();
-    const double displacement = this->Displaced.largest();
+    const double displacement = displaced.largest();
     // The sum of both is rounded, too.
     const double left = (1.0 - 4.0 * tolerance::Rounding) * (tolerance - displacement);
     return displacement < tolerance ? std::max(left, 0.5 * tolerance) : tolerance;
@@ -235,7 +243,7 @@ public:
     return true;
   }
 
-  void Compute()
+  FieldResult Compute() const
   {
     const PolyDataSurface& surface = *this->Inputs.surface;
     if (this->Choice.areSidesNeeded())
@@ -244,25 +252,35 @@ public:
         this->Choice.signedDistances ? "GenerateSignedDistance" : "GenerateTextureCoordinates");
     }
     requireRangeOf(this->Self->OutputPointsPrecision, surface);
-    this->IsRefined = this->CanRefine();
-    if (this->IsRefined)
+    FieldResult result;
+    result.isRefined = this->CanRefine();
+    Displacements displaced;
+    if (result.isRefined)
     {
-      this->Displaced = displacementsOfPoints(surface, this->Inputs.surfaceBlocks,
+      displaced = displacementsOfPoints(surface, this->Inputs.surfaceBlocks,
         this->Self->OutputPointsPrecision, this->Execution.job());
     }
-    SolvedSurface solved = solveField(this->Inputs, this->Request(), this->Execution);
+    SolvedSurface solved =
+      solveField(this->Inputs, this->Request(result.isRefined, displaced), this->Execution);
     this->TakeNumbers(solved);
-    this->VertexDistances = solved.field->vertexDistances();
+    if (result.isRefined)
+    {
+      const RefinedMesh& refined = solved.refined.mesh;
+      result.hasNewPoints = surface.exchange().isTrueAnywhere(!refined.points.empty());
+      this->TakeErrorBound(refined, result.hasNewPoints, displaced);
+    }
+    result.vertexDistances = solved.field->vertexDistances();
     if (this->Choice.isAny())
     {
-      this->FindSources(solved);
+      result.bySource = this->FindSources(solved, result.isRefined);
     }
-    this->Refined =
-      partsByBlock(surface, std::move(solved.refined.mesh), std::move(this->AtRefinedPoints));
-    surface.completeValues(Infinity, this->VertexDistances);
+    result.refined = partsByBlock(
+      surface, std::move(solved.refined.mesh), std::move(result.bySource.atRefinedPoints));
+    surface.completeValues(Infinity, result.vertexDistances);
+    return result;
   }
 
-  FieldRequest Request() const
+  FieldRequest Request(bool isRefined, const Displacements& displaced) const
   {
     const vtkGeodesicDistanceField* self = this->Self;
     FieldRequest request;
@@ -272,28 +290,31 @@ public:
       request.maximumDistance = this->Inputs.surface->scale.toEngine(self->MaximumDistance);
     }
     request.arrays = this->Choice;
-    request.isRefined = this->IsRefined;
-    request.tolerance = this->ToleranceOfInterpolant();
+    request.isRefined = isRefined;
+    request.tolerance = this->ToleranceOfInterpolant(displaced);
     request.maximumCells = static_cast<std::uint64_t>(self->MaximumNumberOfCells);
     request.areBordersRefined = AreBordersRefined(self);
     return request;
   }
 
-  void TakeNumbers(const SolvedSurface& solved)
+  void TakeNumbers(const SolvedSurface& solved) const
   {
+    const PolyDataSurface& surface = *this->Inputs.surface;
+    this->Self->SourceSnapDistance = surface.scale.toUser(this->Inputs.sources.snapDistance);
+    this->Self->SourceLength = this->LengthOfSource();
+    this->Self->SeamPointsJoined = surface.report.joinedSeamPoints;
     this->Self->WindowsPropagatedPerEdge = static_cast<double>(solved.field->windowsPropagated()) /
-      static_cast<double>(this->Inputs.surface->report.edges);
+      static_cast<double>(surface.report.edges);
     this->Self->RelativeErrorBound = solved.field->relativeErrorBound();
-    if (this->IsRefined)
-    {
-      const PolyDataSurface& surface = *this->Inputs.surface;
-      const RefinedMesh& refined = solved.refined.mesh;
-      this->HasNewPoints = surface.exchange().isTrueAnywhere(!refined.points.empty());
-      const double bound = refined.errorBound +
-        (this->HasNewPoints ? this->Displaced.largest() : this->Displaced.ofInputPoints);
-      this->NoteToleranceNotMet(refined, bound);
-      this->Self->InterpolationErrorBound = surface.scale.toUser(bound);
-    }
+  }
+
+  void TakeErrorBound(
+    const RefinedMesh& refined, bool hasNewPoints, const Displacements& displaced) const
+  {
+    const double bound =
+      refined.errorBound + (hasNewPoints ? displaced.largest() : displaced.ofInputPoints);
+    this->NoteToleranceNotMet(refined, bound, this->ToleranceOfInterpolant(displaced));
+    this->Self->InterpolationErrorBound = this->Inputs.surface->scale.toUser(bound);
   }
 
   SourceArrays Arrays() const
@@ -302,7 +323,7 @@ public:
       this->Inputs.sources.firstBoundary, this->TextureTile(), this->Choice };
   }
 
-  void FindSources(const SolvedSurface& solved)
+  ValuesBySource FindSources(const SolvedSurface& solved, bool isRefined) const
   {
     const Job job = this->Execution.begin(Stage::FindSources);
     const DistanceField& field = *solved.field;
@@ -310,21 +331,24 @@ public:
     const std::vector<SourceCurve>& curves = this->Inputs.sources.curves;
     NearestSource nearest(exact, *this->Inputs.patch, curves, job.part(0.0, 0.3));
     const SourceArrays arrays = this->Arrays();
-    this->AtVertices = arrays.atVertices(field, nearest, job.part(0.3, 0.6));
+    ValuesBySource values;
+    values.atVertices = arrays.atVertices(field, nearest, job.part(0.3, 0.6));
     if (this->Choice.angles)
     {
-      this->Frames = framesBySource(
+      values.frames = framesBySource(
         nearest.curvesOnPatch(), curves, this->Inputs.sources.ids, this->Inputs.sources.areNamed);
     }
-    this->ArcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
-    if (this->IsRefined)
+    values.arcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
+    if (isRefined)
     {
-      this->AtRefinedPoints =
+      values.atRefinedPoints =
         arrays.atNewPoints(solved.refined, field, exact, nearest, job.part(0.6, 1.0));
     }
+    return values;
   }
 
-  void NoteToleranceNotMet(const RefinedMesh& refined, double bound) const
+  /// \param requested the tolerance of the interpolant.
+  void NoteToleranceNotMet(const RefinedMesh& refined, double bound, double requested) const
   {
     const PowerOfTwoScale& scale = this->Inputs.surface->scale;
     const std::string most = std::to_string(this->Self->MaximumNumberOfCells);
@@ -338,7 +362,7 @@ public:
         "MaximumNumberOfCells (" + most + ") is reached: the" + met +
           ". Raise MaximumNumberOfCells or the tolerance.");
     }
-    else if (bound > this->Tolerance() && refined.errorBound > this->ToleranceOfInterpolant())
+    else if (bound > this->Tolerance() && refined.errorBound > requested)
     {
       this->Execution.notes().add(NoteOn::Surface, "rounding",
         "The" + met + ", which is near the rounding of distances. Raise the tolerance.");
@@ -354,7 +378,7 @@ public:
     }
   }
 
-  void WriteSurface(vtkDataObject* output, const Job& job) const
+  void WriteSurface(const FieldResult& result, vtkDataObject* output, const Job& job) const
   {
     const std::vector<PolyDataBlock>& inputs = this->Inputs.surfaceBlocks;
     const std::vector<SurfaceBlock>& blocks = this->Inputs.surface->blocks;
@@ -364,37 +388,37 @@ public:
     {
       const auto before = static_cast<double>(i);
       const Job ofBlock = job.part(before / count, (before + 1.0) / count);
-      const int pointType = this->TypeOfPoints(i);
-      if (this->IsRefined)
+      const int pointType = this->TypeOfPoints(result, i);
+      if (result.isRefined)
       {
-        writeRefined(blocks[i], this->Refined[i].mesh, this->Inputs.surface->scale, pointType,
+        writeRefined(blocks[i], result.refined[i].mesh, this->Inputs.surface->scale, pointType,
           inputs[i].data, outputs[i], ofBlock);
       }
       else
       {
         writeWhole(blocks[i], pointType, inputs[i].data, outputs[i], ofBlock);
       }
-      this->WriteDistances(i, outputs[i]);
+      this->WriteDistances(result, i, outputs[i]);
       if (this->Self->RemoveUnusedPoints)
       {
         removeUnusedPoints(outputs[i]);
       }
       outputs[i]->GetFieldData()->PassData(inputs[i].data->GetFieldData());
-      this->WriteFieldData(outputs[i]);
+      this->WriteFieldData(result.bySource.frames, outputs[i]);
     }
-    this->WriteFieldData(output);
+    this->WriteFieldData(result.bySource.frames, output);
   }
 
   /// One type on all ranks, whose pieces are one data set: files of pieces need that.
-  int TypeOfPoints(std::size_t block) const
+  int TypeOfPoints(const FieldResult& result, std::size_t block) const
   {
     return typeOfPoints(this->Inputs.surfaceBlocks[block].data->GetPoints(),
       this->Self->OutputPointsPrecision,
-      this->Inputs.rank.isInPieces() ? this->HasNewPoints
-                                     : !this->Refined[block].mesh.points.empty());
+      this->Inputs.rank.isInPieces() ? result.hasNewPoints
+                                     : !result.refined[block].mesh.points.empty());
   }
 
-  void WriteDistances(std::size_t index, vtkPolyData* output) const
+  void WriteDistances(const FieldResult& result, std::size_t index, vtkPolyData* output) const
   {
     const PolyDataSurface& surface = *this->Inputs.surface;
     const SurfaceBlock& block = surface.blocks[index];
@@ -410,9 +434,9 @@ public:
     };
     for (Id i = 0; i < block.numberOfPoints; ++i)
     {
-      add(this->VertexDistances[surface.vertexOf(block.firstPoint + i)]);
+      add(result.vertexDistances[surface.vertexOf(block.firstPoint + i)]);
     }
-    for (const RefinedPoint& point : this->Refined[index].mesh.points)
+    for (const RefinedPoint& point : result.refined[index].mesh.points)
     {
       add(point.distance);
     }
@@ -423,7 +447,7 @@ public:
                                           : Infinity;
     if (this->Choice.isAny())
     {
-      this->Arrays().write(block, this->AtVertices, this->Refined[index].values,
+      this->Arrays().write(block, result.bySource.atVertices, result.refined[index].values,
         distances->GetPointer(0), unreached, output);
     }
     double* first = distances->GetPointer(0);
@@ -432,7 +456,7 @@ public:
     output->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
   }
 
-  void WriteFieldData(vtkDataObject* output) const
+  void WriteFieldData(const SourceFrames& frames, vtkDataObject* output) const
   {
     addFieldData(output, "WindowsPropagatedPerEdge", this->Self->WindowsPropagatedPerEdge);
     addFieldData(output, "SourceLength", this->Self->SourceLength);
@@ -442,11 +466,11 @@ public:
     addFieldData(output, "SeamPointsJoined", static_cast<double>(this->Self->SeamPointsJoined));
     if (this->Choice.angles)
     {
-      addSourceFrames(this->Frames, output);
+      addSourceFrames(frames, output);
     }
   }
 
-  void NoteReplacedArrays() const
+  void NoteReplacedArrays(bool isRefined) const
   {
     const auto noteOn = [this](const char* kind, int type, const char* name, const char* advice)
     {
@@ -460,7 +484,7 @@ public:
             "; the output has " + advice);
       }
     };
-    if (this->IsRefined)
+    if (isRefined)
     {
       noteOn("cell", vtkDataObject::CELL, "OriginalCellIds", "the input's cells in its place.");
     }
