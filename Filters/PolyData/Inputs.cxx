@@ -139,7 +139,7 @@ struct InputReader
     return gatherBlocks(targetBlocks(this->request.targets, name), name, this->exchange);
   }
 
-  /// Reads it into the cache.
+  /// Reads the surface into the cache.
   void readSurface(const std::vector<PolyDataBlock>& blocks, bool isInPieces, const Job& job) const
   {
     if (isInPieces && !this->plan.supportsPieces)
