@@ -203,19 +203,25 @@ void readEach(const std::vector<Message>& messages, Visit&& visit)
   }
 }
 
-/// A step in which every rank sends one value to all.
+/// A step in which every rank sends some values, or none, to all.
 ///
 /// \returns the values of all ranks, including this one's, in the order of ranks.
 template <typename Value>
-std::vector<Value> valuesOfRanks(Exchange& exchange, const Value& own)
+std::vector<Value> valuesOfRanks(Exchange& exchange, const std::vector<Value>& own)
 {
   Message message;
-  put(message, own);
+  put(message, own.data(), own.size());
   std::vector<Value> values;
-  values.reserve(rankIndex(exchange.numberOfRanks()));
   readEach(exchange.tellAll(message),
     [&](int, MessageReader& reader) { values.push_back(reader.get<Value>()); });
   return values;
+}
+
+/// The same with one value of each rank.
+template <typename Value>
+std::vector<Value> valuesOfRanks(Exchange& exchange, const Value& own)
+{
+  return valuesOfRanks(exchange, std::vector<Value>{ own });
 }
 
 /// The sum of a number over the ranks before this one, and over all ranks.

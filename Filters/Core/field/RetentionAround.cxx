@@ -36,21 +36,18 @@ void RetentionAround::keepForPaths(const MeshPartition& part)
       this->keep(TriangleMesh::faceOf(halfedge));
     }
   }
-  std::vector<Message> messages = part.exchange().noMessages();
+  std::vector<Id> atEdges;
   for (const SurfacePoint& target : this->targets_)
   {
     if (target.kind == SurfacePoint::Kind::Edge)
     {
-      forEachFace(this->mesh(), target,
-        [&](Id face)
-        {
-          const RankAddress address = part.addressOf(face);
-          put(messages[rankIndex(address.rank)], address.id);
-        });
+      forEachFace(this->mesh(), target, [&](Id face) { atEdges.push_back(face); });
     }
   }
-  readEach(part.exchange().step(std::move(messages)),
-    [this](int, MessageReader& reader) { this->keep(reader.get<Id>()); });
+  for (const Id face : part.sendToOwners(atEdges))
+  {
+    this->keep(face);
+  }
 }
 
 double RetentionAround::upperBound(const SurfacePoint& target, const VertexNumbers& distances) const

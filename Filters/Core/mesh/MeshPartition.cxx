@@ -278,6 +278,25 @@ std::vector<std::uint8_t> MeshPartition::ownFaces() const
 }
 
 // Faces are in the order of the ranks, and siblings in the order of the faces.
+std::vector<Id> MeshPartition::sendToOwners(const std::vector<Id>& faces) const
+{
+  std::vector<Id> own;
+  std::vector<Message> messages = this->exchange_->noMessages();
+  for (const Id face : faces)
+  {
+    if (this->isOwn(face))
+    {
+      own.push_back(face);
+      continue;
+    }
+    const RankAddress owner = this->ownerOf(face);
+    put(messages[rankIndex(owner.rank)], owner.id);
+  }
+  readEach(this->exchange_->step(std::move(messages)),
+    [&](int, MessageReader& reader) { own.push_back(reader.get<Id>()); });
+  return own;
+}
+
 std::vector<int> MeshPartition::otherRanksAt(Id halfedge) const
 {
   std::vector<int> ranks;

@@ -125,6 +125,12 @@ public:
     return face.rank == this->exchange_->rank() ? face.id : this->copyOf(face);
   }
 
+  /// Sends faces of this rank, maybe of its halo, to their owners. All ranks call this together.
+  ///
+  /// \returns the faces that this rank owns among those of all ranks, maybe repeatedly. In one
+  ///          process the faces themselves.
+  std::vector<Id> sendToOwners(const std::vector<Id>& faces) const;
+
   /// The other ranks whose faces have a vertex of this rank, and its number there, by rank.
   using Holders = ArrayRange<RankAddress>;
   Holders othersWith(Id vertex) const

@@ -2,6 +2,7 @@
 #include "mesh/ReplicatedPatch.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace geodesic
 {
@@ -28,26 +29,6 @@ std::vector<Id> withNeighbours(const TriangleMesh& mesh, const std::vector<Id>& 
   return around;
 }
 
-/// The same for all ranks' faces together, restricted to faces that this rank owns.
-std::vector<Id> ownWithNeighbours(const MeshPartition& part, const std::vector<Id>& faces)
-{
-  std::vector<Id> own;
-  std::vector<Message> messages = part.exchange().noMessages();
-  for (const Id face : withNeighbours(part.mesh(), faces))
-  {
-    if (part.isOwn(face))
-    {
-      own.push_back(face);
-      continue;
-    }
-    const RankAddress owner = part.ownerOf(face);
-    put(messages[rankIndex(owner.rank)], owner.id);
-  }
-  readEach(part.exchange().step(std::move(messages)),
-    [&](int, MessageReader& reader) { own.push_back(reader.get<Id>()); });
-  return own;
-}
-
 /// A face of the patch, and a bit for each of its halfedges on the boundary.
 struct FaceOfPatch : SentFace
 {
@@ -59,8 +40,8 @@ struct FaceOfPatch : SentFace
 std::vector<FaceOfPatch> gather(const MeshPartition& part, const std::vector<Id>& faces)
 {
   const TriangleMesh& mesh = part.mesh();
-  Message message;
-  for (const Id face : withNeighbours(mesh, ownWithNeighbours(part, faces)))
+  std::vector<FaceOfPatch> own;
+  for (const Id face : withNeighbours(mesh, part.sendToOwners(withNeighbours(mesh, faces))))
   {
     FaceOfPatch entry = { part.sentFace(face), 0 };
     for (Id k = 0; k < 3; ++k)
@@ -69,12 +50,9 @@ std::vector<FaceOfPatch> gather(const MeshPartition& part, const std::vector<Id>
         part.isOwn(face) && mesh.isBoundary(TriangleMesh::halfedgeOf(face, k));
       entry.boundary |= static_cast<std::uint8_t>(isBoundary ? 1U << k : 0U);
     }
-    put(message, entry);
+    own.push_back(entry);
   }
-  std::vector<FaceOfPatch> gathered;
-  readEach(part.exchange().tellAll(message),
-    [&](int, MessageReader& reader) { gathered.push_back(reader.get<FaceOfPatch>()); });
-  return gathered;
+  return valuesOfRanks(part.exchange(), own);
 }
 
 } // anonymous namespace
@@ -123,6 +101,7 @@ Id GatheredFaces::vertexAt(Id globalId) const
 
 ReplicatedPatch::ReplicatedPatch(const MeshPartition& part, const std::vector<Id>& faces)
   : GatheredFaces(part.mesh())
+  , faces_(faces)
 {
   if (!part.isDistributed())
   {
@@ -148,6 +127,8 @@ ReplicatedPatch::ReplicatedPatch(const MeshPartition& part, const std::vector<Id
     }
   }
   this->places_ = std::make_shared<Places>(std::move(places));
+  this->faces_.resize(this->mesh().numberOfFaces());
+  std::iota(this->faces_.begin(), this->faces_.end(), Id(0));
 }
 
 }

@@ -70,6 +70,10 @@ public:
   /// \param faces faces of the patch that this rank owns, in any order.
   ReplicatedPatch(const MeshPartition& part, const std::vector<Id>& faces);
 
+  /// The faces of the mesh that were gathered: all of them, but in one process those that were
+  /// asked for.
+  const std::vector<Id>& faces() const { return this->faces_; }
+
   /// Whether an edge of one of the first faces is on the boundary of the whole surface. The patch
   /// has a boundary of its own where it ends.
   bool isGlobalBoundary(Id halfedge) const
@@ -99,6 +103,7 @@ private:
 
   /// Null in one process.
   std::shared_ptr<const Places> places_;
+  std::vector<Id> faces_;
 };
 
 }

@@ -7,7 +7,6 @@
 #include "source/SourceWindows.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace geodesic
 {
@@ -123,20 +122,14 @@ std::vector<SourceCurve> curvesOnStrip(
 }
 
 // Lower bounds of the way to the target. Faces that were gathered beside the strip only make it
-// larger: a path through them is one on the surface. One process gathers nothing: there the mesh is
-// closed beside the strip.
-Corridor corridorIn(
-  const ReplicatedPatch& strip, const TargetOnRank& target, bool isGathered, std::vector<Id> faces)
+// larger: a path through them is one on the surface. In one process the mesh goes on beside the
+// strip, and is closed there.
+Corridor corridorIn(const ReplicatedPatch& strip, const TargetOnRank& target)
 {
   const TriangleMesh& mesh = strip.mesh();
-  if (isGathered)
-  {
-    faces.resize(mesh.numberOfFaces());
-    std::iota(faces.begin(), faces.end(), Id(0));
-  }
   const SurfacePoint end = onPatch(strip, target);
   Corridor corridor{ std::vector<double>(mesh.numberOfVertices(), Infinity), longestTo(target) };
-  for (const Id face : faces)
+  for (const Id face : strip.faces())
   {
     for (const Id vertex : mesh.triangle(face))
     {
@@ -153,13 +146,12 @@ void pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const PathEnds& ends, const TargetOnRank& target,
   const KnownDistances& known, const Job& job, const std::function<void(const PathToSource&)>& take)
 {
-  const std::vector<Id> faces = facesOfStrip(part, patch, curves, target, known, job);
-  const ReplicatedPatch strip(part, faces);
+  const ReplicatedPatch strip(part, facesOfStrip(part, patch, curves, target, known, job));
   if (!isHere(part, target))
   {
     return;
   }
-  const Corridor corridor = corridorIn(strip, target, part.isDistributed(), faces);
+  const Corridor corridor = corridorIn(strip, target);
   FrontOptions options;
   options.corridor = &corridor;
   options.job = job;

@@ -113,17 +113,15 @@ std::vector<SeamVertex> gatherClose(
     box.add(boxAround(vertex.position, limits.at(vertex)));
   }
   const OtherRanks others(box, exchange);
-  Message message;
+  std::vector<SeamVertex> wanted;
   for (std::size_t i = 0; i < own.size(); ++i)
   {
     if (isWanted[i] != 0 || others.areNear(own[i].position, limits.at(own[i])))
     {
-      put(message, own[i]);
+      wanted.push_back(own[i]);
     }
   }
-  std::vector<SeamVertex> all;
-  readEach(exchange.tellAll(message),
-    [&all](int, MessageReader& reader) { all.push_back(reader.get<SeamVertex>()); });
+  std::vector<SeamVertex> all = valuesOfRanks(exchange, wanted);
   std::stable_sort(all.begin(), all.end(),
     [](const SeamVertex& a, const SeamVertex& b) { return a.label < b.label; });
   return all;

@@ -77,18 +77,17 @@ std::vector<Id> ghostCorners(const SeamSurface& surface)
 Cells cellsNear(
   const std::vector<Id>& corners, const std::vector<Vec3>& vertices, int level, Exchange& exchange)
 {
-  Message message;
+  std::vector<Vec3> own;
   for (const Id vertex : corners)
   {
-    put(message, vertices[vertex]);
+    own.push_back(vertices[vertex]);
   }
   Cells near;
-  readEach(exchange.tellAll(message),
-    [&](int, MessageReader& reader)
-    {
-      const std::array<SeamCell, 8> cells = seamCellsAround(reader.get<Vec3>(), level);
-      near.insert(cells.begin(), cells.end());
-    });
+  for (const Vec3& point : valuesOfRanks(exchange, own))
+  {
+    const std::array<SeamCell, 8> cells = seamCellsAround(point, level);
+    near.insert(cells.begin(), cells.end());
+  }
   return near;
 }
 
