@@ -328,10 +328,7 @@ void receiveList(BatchTasks& tasks, FrontWorker& worker, District& district, Sen
   {
     const DistanceUpdate arrival = arrivalThrough(tasks.mesh, sent.halfedge, apexAt, found);
     tasks.shorten(district, arrival);
-    if (tasks.surface.isDistributed())
-    {
-      district.arrivals.push_back(arrival);
-    }
+    district.toRanks.addArrival(arrival);
   }
   worker.propagated += sent.windows.size;
   worker.handled += sent.windows.size;
@@ -521,7 +518,7 @@ void BatchTasks::send(
     }
     std::vector<SentList>& lists = this->surface.isOwn(TriangleMesh::faceOf(s))
       ? this->mailboxes.to(sender.number, this->districts.of(this->mesh.opposite(s))).lists
-      : sender.leaving;
+      : sender.toRanks.lists;
     lists.push_back({ s, block });
   }
 }

@@ -21,9 +21,10 @@ namespace geodesic
 /// them. Only one task at a time works on it.
 struct District
 {
-  District(Id itsNumber, VertexStates& states)
+  District(Id itsNumber, VertexStates& states, const MeshPartition& surface)
     : number(itsNumber)
     , schedule(states)
+    , toRanks(surface)
   {
   }
 
@@ -46,10 +47,7 @@ struct District
   /// With a distance limit: halfedges with windows within it.
   std::vector<Id> withinLimit;
 
-  /// If ranks share the surface: lists for faces of other ranks, and paths found last, to be sent
-  /// to other ranks.
-  std::vector<SentList> leaving;
-  std::vector<DistanceUpdate> arrivals;
+  MailToRanks toRanks;
 };
 
 /// The tasks of a batch (paper, section 3.1; as lists after Qin et al. 2016): (1) each vertex sends

@@ -5,7 +5,7 @@
 #include "front/BatchTasks.h"
 #include "front/CompleteFaces.h"
 #include "front/Districts.h"
-#include "front/FrontExchange.h"
+#include "front/FrontOnRanks.h"
 #include "front/FrontWorker.h"
 #include "front/Mailboxes.h"
 #include "front/VertexStates.h"
@@ -36,9 +36,8 @@ bool isAnyWindowWithin(const WindowRange& windows, double distance)
 /// takes its mail, in an order that does not depend on how tasks were run. Little work remains
 /// outside of the districts, mainly to find the begin and end of the next batch.
 ///
-/// If ranks share the surface, a batch is a superstep with two exchanges: of windows and distances
-/// after (1), of distances and the next batch's keys after (2). All ranks have the same first and
-/// last key of a batch.
+/// If ranks share the surface, FrontOnRanks exchanges windows and distances after (1), and
+/// distances and the next batch's keys after (2).
 class Front
 {
 public:
@@ -54,12 +53,12 @@ public:
     , mailboxes_(numbers_.size())
     , tasks_{ surface, mesh_, options, numbers_, vertices_, complete_, mailboxes_, retention }
     , workers_(options.job)
-    , ranks_(surface)
+    , ranks_(tasks_, districts_, workers_.first().pool)
   {
     this->districts_.reserve(this->numbers_.size());
     for (Id number = 0; number < this->numbers_.size(); ++number)
     {
-      this->districts_.emplace_back(number, this->vertices_);
+      this->districts_.emplace_back(number, this->vertices_, surface);
     }
   }
 
@@ -299,10 +298,7 @@ private:
       },
       [this](FrontWorker& worker, District& district)
       { this->tasks_.processBatch(worker, district, this->batches_); });
-    if (this->surface_.isDistributed())
-    {
-      this->exchangeLists();
-    }
+    this->ranks_.exchangeLists();
     this->mailboxes_.takeReceivers(this->active_);
     this->runStep([this](District& district) { this->tasks_.receiveUpdates(district); },
       [this](FrontWorker& worker, District& district)
@@ -393,16 +389,10 @@ private:
       this->next_.least = std::min(this->next_.least, outlook.least);
       this->next_.last = std::min(this->next_.last, outlook.last);
     }
-    if (this->surface_.isDistributed())
-    {
-      this->exchangeArrivals();
-    }
+    this->takeFromRanks(this->ranks_.exchangeArrivals(this->next_));
     this->retention_.advance(this->state());
     this->tasks_.limitPaths(this->retention_.longestPath());
-    if (!this->surface_.isDistributed())
-    {
-      this->reach_ = this->retention_.reach();
-    }
+    this->reach_ = this->ranks_.reach();
   }
 
   void reportShortened(District& district)
@@ -414,64 +404,12 @@ private:
     district.shortened.clear();
   }
 
-  void exchangeLists()
+  // The distances that other ranks found last; none in one process.
+  void takeFromRanks(const std::vector<DistanceUpdate>& updates)
   {
-    WindowPool& pool = this->workers_.first().pool;
-    for (District& district : this->districts_)
+    for (const DistanceUpdate& update : updates)
     {
-      for (const SentList& list : district.leaving)
-      {
-        this->ranks_.addList(list, pool);
-      }
-      district.leaving.clear();
-      this->mailboxes_.forEachOf(district.number,
-        [this](const MailBatch& mail)
-        {
-          for (const DistanceUpdate& update : mail.updates)
-          {
-            this->ranks_.addUpdate(update);
-          }
-        });
-    }
-    std::vector<double> nothing;
-    const FrontExchange::Received received = this->ranks_.step(nothing, pool);
-    for (const bool areHigher : { false, true })
-    {
-      for (const DistanceUpdate& update : received.updates[areHigher ? 1 : 0])
-      {
-        this->mailboxes_.fromRanks(areHigher, this->numbers_.of(update.vertex))
-          .updates.push_back(update);
-      }
-    }
-    for (const SentList& list : received.lists)
-    {
-      const Id receiver = this->numbers_.of(this->mesh_.opposite(list.halfedge));
-      this->mailboxes_.fromRanks(true, receiver).lists.push_back(list);
-    }
-  }
-
-  // A vertex whose distance another rank sends here waits on that rank with the same key, so the
-  // next batch is known before the distances are exchanged.
-  void exchangeArrivals()
-  {
-    for (District& district : this->districts_)
-    {
-      for (const DistanceUpdate& arrival : district.arrivals)
-      {
-        this->ranks_.addUpdate(arrival);
-      }
-      district.arrivals.clear();
-    }
-    std::vector<double> least = { this->next_.least, this->next_.last, -this->retention_.reach() };
-    const FrontExchange::Received received = this->ranks_.step(least, this->workers_.first().pool);
-    this->next_ = { least[0], least[1] };
-    this->reach_ = -least[2];
-    for (const std::vector<DistanceUpdate>& updates : received.updates)
-    {
-      for (const DistanceUpdate& update : updates)
-      {
-        this->shorten(update);
-      }
+      this->shorten(update);
     }
     this->mailboxes_.takeReceivers(this->active_);
     for (const Id number : this->active_)
@@ -598,7 +536,7 @@ private:
   Mailboxes mailboxes_;
   BatchTasks tasks_;
   FrontWorkers workers_;
-  FrontExchange ranks_;
+  FrontOnRanks ranks_;
 
   /// The vertices of the current batch, and the number of batches so far.
   std::vector<Id> batch_;

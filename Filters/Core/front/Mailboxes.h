@@ -4,6 +4,7 @@
 
 #include "front/Districts.h"
 #include "front/VertexStates.h"
+#include "mesh/MeshPartition.h"
 #include "window/WindowPool.h"
 
 #include <algorithm>
@@ -32,6 +33,29 @@ struct MailBatch
   {
     this->lists.clear();
     this->updates.clear();
+  }
+};
+
+/// What a district sends to other ranks, by way of FrontOnRanks; nothing in one process.
+struct MailToRanks
+{
+  explicit MailToRanks(const MeshPartition& surface)
+    : areThereOthers(surface.isDistributed())
+  {
+  }
+
+  bool areThereOthers;
+  /// Lists for faces that other ranks own.
+  std::vector<SentList> lists;
+  /// Distances found in the second step of a batch.
+  std::vector<DistanceUpdate> arrivals;
+
+  void addArrival(const DistanceUpdate& arrival)
+  {
+    if (this->areThereOthers)
+    {
+      this->arrivals.push_back(arrival);
+    }
   }
 };
 
