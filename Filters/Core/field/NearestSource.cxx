@@ -2,112 +2,13 @@
 #include "field/NearestSource.h"
 
 #include "Errors.h"
-#include "Questions.h"
+#include "field/NearestSourceOnRanks.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace geodesic
 {
-
-namespace
-{
-
-using Origins = std::unordered_map<Id, PathOrigin>;
-
-// Each round doubles the length, so that no chain of vertices needs more rounds. Origins that are
-// open after these rounds are vertices at one place that name each other.
-constexpr int MaximumSteps = 33;
-
-/// The vertices, counted elsewhere, that paths to points of the part may come from, open.
-Origins openOrigins(const DistanceField& field)
-{
-  const MeshPartition& part = field.surface();
-  Origins origins;
-  const auto add = [&](RayOrigin origin)
-  {
-    if (origin.isVertex() && part.countedVertex(origin.vertex()) == NoId)
-    {
-      origins[origin.vertex()] = { origin };
-    }
-  };
-  for (Id vertex = 0; vertex < part.mesh().numberOfVertices(); ++vertex)
-  {
-    add(RayOrigin::vertex(part.globalId(vertex)));
-    add(field.arrivals()[vertex].origin);
-  }
-  const Id end = TriangleMesh::halfedgeOf(part.endOfOwnFaces(), 0);
-  for (Id halfedge = TriangleMesh::halfedgeOf(part.firstOwnFace(), 0); halfedge < end; ++halfedge)
-  {
-    RayOrigin last; // windows of one origin often stand together
-    for (const Window& window : field.windowsOn(halfedge))
-    {
-      if (window.origin != last)
-      {
-        add(window.origin);
-        last = window.origin;
-      }
-    }
-  }
-  return origins;
-}
-
-/// Finds the origins of paths that come from vertices counted by other ranks: of the vertices of
-/// this rank's part that are not counted here, and of those that its windows name. A chain of
-/// pseudo-sources may lead through many ranks. In each round, every rank asks for the origin of the
-/// vertex that it has followed a chain to. As the ranks asked follow their own chains at the same
-/// time, each round doubles the known length of the chains.
-///
-/// All ranks call this together.
-///
-/// \param field on this rank's part, with arrivals.
-/// \param atVertices for each vertex of the part. Of a vertex counted here: its origin on the
-///        source, if it has one, or, still open, the vertex counted elsewhere that its path comes
-///        from. Open origins are replaced, those of vertices counted elsewhere are set.
-/// \returns the origins by the vertices' global ids; paths may have none.
-Origins originsElsewhere(const DistanceField& field, std::vector<PathOrigin>& atVertices)
-{
-  const MeshPartition& part = field.surface();
-  Exchange& exchange = part.exchange();
-  Origins elsewhere = openOrigins(field);
-  const auto isOpen = [](const PathOrigin& path) { return path.origin.isVertex(); };
-  const auto isOpenEntry = [&](const Origins::value_type& entry) { return isOpen(entry.second); };
-  // What is known elsewhere of the vertex that an open origin names.
-  const auto known = [&](const PathOrigin& path)
-  { return isOpen(path) ? elsewhere[path.origin.vertex()] : path; };
-  for (int steps = 0; steps < MaximumSteps &&
-       exchange.isTrueAnywhere(std::any_of(elsewhere.begin(), elsewhere.end(), isOpenEntry));
-       ++steps)
-  {
-    Questions questions(exchange);
-    std::vector<PathOrigin*> asked;
-    for (auto& [number, path] : elsewhere)
-    {
-      if (isOpen(path))
-      {
-        const Id vertex = path.origin.vertex();
-        questions.ask(part.rankCounting(vertex), asked.size(), vertex);
-        asked.push_back(&path);
-      }
-    }
-    questions.exchangeAnswers([&](MessageReader& question, Message& answer)
-      { put(answer, known(atVertices[part.countedVertex(question.get<Id>())])); },
-      [&](std::size_t i, MessageReader& answer) { *asked[i] = answer.get<PathOrigin>(); });
-  }
-  for (auto& [number, path] : elsewhere)
-  {
-    path = isOpen(path) ? PathOrigin() : path;
-  }
-  for (Id vertex = 0; vertex < atVertices.size(); ++vertex)
-  {
-    const Id number = part.globalId(vertex);
-    PathOrigin& path = atVertices[vertex];
-    path = part.countedVertex(number) == NoId ? elsewhere[number] : known(path);
-  }
-  return elsewhere;
-}
-
-} // anonymous namespace
 
 NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const Job& job)
@@ -135,10 +36,7 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
       this->follow(vertex);
     }
   }
-  if (part.isDistributed())
-  {
-    this->elsewhere_ = originsElsewhere(this->field_, this->origins_);
-  }
+  this->elsewhere_ = originsElsewhere(this->field_, this->origins_);
 }
 
 // The last piece of the path to a vertex. If it comes through a window and cannot bend at a corner,

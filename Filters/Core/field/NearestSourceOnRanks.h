@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_NearestSourceOnRanks_h
+#define geodesic_NearestSourceOnRanks_h
+
+#include "field/NearestSource.h"
+
+#include <unordered_map>
+#include <vector>
+
+namespace geodesic
+{
+
+/// Origins on the source by the global ids of vertices.
+using Origins = std::unordered_map<Id, PathOrigin>;
+
+/// Finds the origins of paths that come from vertices counted by other ranks: of the vertices of
+/// this rank's part that are not counted here, and of those that its windows name. A chain of
+/// pseudo-sources may lead through many ranks. In each round, every rank asks for the origin of the
+/// vertex that it has followed a chain to. As the ranks asked follow their own chains at the same
+/// time, each round doubles the known length of the chains.
+///
+/// All ranks call this together. In one process there are no such vertices.
+///
+/// \param field on this rank's part, with arrivals.
+/// \param atVertices for each vertex of the part. Of a vertex counted here: its origin on the
+///        source, if it has one, or, still open, the vertex counted elsewhere that its path comes
+///        from. Open origins are replaced, those of vertices counted elsewhere are set.
+/// \returns the origins by the vertices' global ids; paths may have none.
+Origins originsElsewhere(const DistanceField& field, std::vector<PathOrigin>& atVertices);
+
+}
+
+#endif
