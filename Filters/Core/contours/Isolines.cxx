@@ -5,6 +5,7 @@
 #include "Tolerance.h"
 #include "contours/FaceIsolines.h"
 #include "contours/IsolineJoin.h"
+#include "contours/IsolinesOnRanks.h"
 #include "field/DistanceRange.h"
 #include "field/SegmentEnvelope.h"
 
@@ -20,17 +21,6 @@ namespace
 constexpr std::size_t FacesPerTask = 32;
 // The share of the job that the points on edges take.
 constexpr double EdgesDone = 0.3;
-
-/// A point of an isoline on an edge. Its number in the list of these points is its id.
-struct EdgePoint
-{
-  /// That names the edge (TriangleMesh::edgeOf). Its face computes the edge's points.
-  Id halfedge;
-  Id value;
-  double fraction;
-  /// Whether the distance passes the value upwards along the halfedge.
-  bool rises;
-};
 
 void checkOptions(const IsolineOptions& options)
 {
@@ -104,19 +94,13 @@ public:
       this->forTasks(this->options_.job.part(EdgesDone, 1.0), &IsolineDrawing::drawFaces);
     std::vector<SurfacePoint> onEdges;
     onEdges.reserve(this->edgePoints_.size());
-    std::vector<Id> atSeams;
-    for (Id id = 0; id < this->edgePoints_.size(); ++id)
+    for (const EdgePoint& p : this->edgePoints_)
     {
-      const EdgePoint& p = this->edgePoints_[id];
       onEdges.push_back(this->placeOf(p));
-      if (!this->field_.surface().otherRanksAt(p.halfedge).empty())
-      {
-        atSeams.push_back(id);
-      }
     }
-    Isolines result =
-      joinPieces(this->mesh_, this->levels_, std::move(onEdges), atSeams, std::move(drawn));
-    this->countTurnsAtSeams(result);
+    Isolines result = joinPieces(this->mesh_, this->levels_, std::move(onEdges),
+      pointsAtSeams(this->field_.surface(), this->edgePoints_), std::move(drawn));
+    countTurnsAtSeams(this->mesh_, result);
     return result;
   }
 
@@ -176,50 +160,7 @@ private:
     {
       this->edgePoints_.insert(this->edgePoints_.end(), points.begin(), points.end());
     }
-    this->exchangeEdgePoints();
-  }
-
-  /// Faces have one order on all ranks, so that all agree about the halfedge that names an edge.
-  /// The owner of its face sends the edge's points to the other ranks at the edge.
-  void exchangeEdgePoints()
-  {
-    const MeshPartition& part = this->field_.surface();
-    std::vector<Message> messages = part.exchange().noMessages();
-    for (const EdgePoint& p : this->edgePoints_)
-    {
-      for (const int rank : part.otherRanksAt(p.halfedge))
-      {
-        put(messages[rankIndex(rank)], p);
-      }
-    }
-    readEach(part.exchange().step(std::move(messages)),
-      [&](int rank, MessageReader& reader)
-      {
-        auto p = reader.get<EdgePoint>();
-        const Id face = part.copyOf({ rank, TriangleMesh::faceOf(p.halfedge) });
-        p.halfedge = TriangleMesh::inCopy(p.halfedge, face);
-        this->edgePoints_.push_back(p);
-      });
-    std::stable_sort(this->edgePoints_.begin(), this->edgePoints_.end(),
-      [](const EdgePoint& a, const EdgePoint& b)
-      { return a.halfedge != b.halfedge ? a.halfedge < b.halfedge : a.value < b.value; });
-  }
-
-  /// Counts lines that end at a seam between faces of opposite orientation: the lines that continue
-  /// them run the other way.
-  void countTurnsAtSeams(Isolines& isolines) const
-  {
-    const auto turns = [&](const SurfacePoint& end)
-    {
-      return end.kind == SurfacePoint::Kind::Edge && this->mesh_.isInner(end.id) &&
-        this->mesh_.acrossOriented(end.id) == NoId;
-    };
-    for (const Isoline& line : isolines.lines)
-    {
-      const bool isTurned = !line.isClosed() &&
-        (turns(isolines.points[line.points.front()]) || turns(isolines.points[line.points.back()]));
-      isolines.linesWithoutDirection += isTurned ? 1 : 0;
-    }
+    exchangeEdgePoints(this->field_.surface(), this->edgePoints_);
   }
 
   std::vector<EdgePoint> edgePointsOf(std::size_t first, std::size_t last, const Job& job) const
@@ -359,6 +300,7 @@ private:
   double certain_;
   /// The faces of this rank that may contain a value, ascending.
   std::vector<Id> faces_;
+  /// The points on the edges of these faces, ascending by halfedge and value.
   std::vector<EdgePoint> edgePoints_;
 };
 
