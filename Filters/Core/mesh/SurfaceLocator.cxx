@@ -2,6 +2,7 @@
 #include "mesh/SurfaceLocator.h"
 
 #include "Tolerance.h"
+#include "mesh/SurfaceLocatorOnRanks.h"
 #include "mesh/SurfaceSnap.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ constexpr Id FacesInLeaf = 8;
 constexpr std::ptrdiff_t LeastPart = 8;
 
 /// Ranks exchange the candidates of so many points at a time, which bounds the size of messages.
-constexpr std::size_t PointsPerExchange = 4096;
+constexpr std::size_t PointsAtATime = 4096;
 
 /// Points searched between two reports.
 constexpr std::size_t PointsPerReport = 256;
@@ -29,42 +30,12 @@ constexpr std::size_t PointsPerReport = 256;
 /// Searching the first point builds most of the tree, which takes this share of the job.
 constexpr double FirstPoint = 0.5;
 
-/// A face that may be among the closest to a point.
-struct Candidate
-{
-  /// Its number on the rank that found it; once sent, its address on the whole surface.
-  RankAddress face;
-  double distance = 0.0;
-  /// How much farther than the closest face it may be: by the coordinates' precision, and by
-  /// rounding alone.
-  double precision = 0.0;
-  double rounding = 0.0;
-  /// The rounding of measuring, which does not depend on the position of the origin.
-  double measuring = 0.0;
-  /// From the point to the face's closest point, and to where snapToFace puts it.
-  Vec3 toClosest{};
-  Vec3 toPlace{};
-  /// The vertices of the face, and of its smallest part (vertex, edge or the face) that contains
-  /// the closest point, filled with NoId.
-  Triangle corners{};
-  Triangle support{};
-
-  bool isClosest(double least) const { return this->distance <= least + this->precision; }
-};
-
 void addFace(const TriangleMesh& mesh, Id face, Box& box)
 {
   for (const Id corner : mesh.triangle(face))
   {
     box.add(mesh.point(corner));
   }
-}
-
-/// The precision of a point and of the corners of a box.
-double precisionFor(const Box& box, const Vec3& point, double coordinatePrecision)
-{
-  return tolerance::SnapRoundings * coordinatePrecision *
-    std::max(box.largestCoordinate(), largestCoordinate(point));
 }
 
 /// Whether a face has all vertices of a part of another face.
@@ -78,7 +49,7 @@ bool hasPart(const Triangle& corners, const Triangle& part)
 
 /// Whether a face is farther than another although rounding may make their distances equal: its
 /// closest point is also a point of the other face, which has a closer one.
-bool isFartherThan(const Candidate& face, const Candidate& other)
+bool isFartherThan(const FaceCandidate& face, const FaceCandidate& other)
 {
   return hasPart(other.corners, face.support) && !hasPart(face.corners, other.support) &&
     norm(other.toClosest - face.toClosest) > face.precision;
@@ -86,11 +57,11 @@ bool isFartherThan(const Candidate& face, const Candidate& other)
 
 /// The faces whose distances cannot be distinguished from the least, in their order. Around the
 /// centre of a sphere there are many.
-std::vector<const Candidate*> closestOf(const std::vector<Candidate>& faces, double least)
+std::vector<const FaceCandidate*> closestOf(const std::vector<FaceCandidate>& faces, double least)
 {
-  std::vector<const Candidate*> closest;
-  std::vector<std::pair<Id, const Candidate*>> atVertices;
-  for (const Candidate& face : faces)
+  std::vector<const FaceCandidate*> closest;
+  std::vector<std::pair<Id, const FaceCandidate*>> atVertices;
+  for (const FaceCandidate& face : faces)
   {
     if (face.distance <= least + face.measuring)
     {
@@ -102,7 +73,7 @@ std::vector<const Candidate*> closestOf(const std::vector<Candidate>& faces, dou
     }
   }
   std::sort(atVertices.begin(), atVertices.end());
-  const auto isFarther = [&](const Candidate* face)
+  const auto isFarther = [&](const FaceCandidate* face)
   {
     const Id vertex = *std::min_element(face->support.begin(), face->support.end());
     auto at = std::lower_bound(atVertices.begin(), atVertices.end(), vertex,
@@ -127,21 +98,21 @@ std::vector<const Candidate*> closestOf(const std::vector<Candidate>& faces, dou
 /// A face that is almost as close as the closest may put the point far from the closest place. So
 /// these are the faces whose distances cannot be distinguished from the least by measuring, and
 /// those that put the point within the precision of the closest place.
-std::vector<Candidate> chosen(const std::vector<Candidate>& closest)
+std::vector<FaceCandidate> chosen(const std::vector<FaceCandidate>& closest)
 {
   if (closest.empty())
   {
     return {}; // a surface without faces
   }
-  const auto isCloser = [](const Candidate& a, const Candidate& b)
+  const auto isCloser = [](const FaceCandidate& a, const FaceCandidate& b)
   { return a.distance < b.distance; };
   const double least = std::min_element(closest.begin(), closest.end(), isCloser)->distance;
-  const std::vector<const Candidate*> equal = closestOf(closest, least);
-  const Candidate& best = **std::min_element(equal.begin(), equal.end(),
-    [&](const Candidate* a, const Candidate* b) { return isCloser(*a, *b); });
-  std::vector<Candidate> result;
+  const std::vector<const FaceCandidate*> equal = closestOf(closest, least);
+  const FaceCandidate& best = **std::min_element(equal.begin(), equal.end(),
+    [&](const FaceCandidate* a, const FaceCandidate* b) { return isCloser(*a, *b); });
+  std::vector<FaceCandidate> result;
   std::copy_if(closest.begin(), closest.end(), std::back_inserter(result),
-    [&](const Candidate& face)
+    [&](const FaceCandidate& face)
     {
       return norm(face.toPlace - best.toClosest) <= face.precision ||
         std::binary_search(equal.begin(), equal.end(), &face);
@@ -149,31 +120,23 @@ std::vector<Candidate> chosen(const std::vector<Candidate>& closest)
   return result;
 }
 
-/// Adds the faces of some points: chosen among the candidates of all ranks.
-void addChosen(
-  const std::vector<Message>& told, const std::vector<double>& least, ClosestFaces& result)
+/// The faces of a point, in the order of ClosestFace.
+///
+/// \param candidates of all ranks.
+std::vector<ClosestFace> facesOf(const std::vector<FaceCandidate>& candidates, double least)
 {
-  std::vector<std::vector<Candidate>> candidates(least.size());
-  readEach(told,
-    [&](int, MessageReader& reader)
-    {
-      const auto point = reader.get<std::size_t>();
-      candidates[point].push_back(reader.get<Candidate>());
-    });
-  for (std::size_t i = 0; i < least.size(); ++i)
+  std::vector<ClosestFace> faces;
+  for (const FaceCandidate& face : chosen(candidates))
   {
-    std::vector<ClosestFace>& faces = result.emplace_back();
-    for (const Candidate& face : chosen(candidates[i]))
-    {
-      faces.push_back({ face.face, face.distance <= least[i] + face.rounding });
-    }
-    std::sort(faces.begin(), faces.end());
+    faces.push_back({ face.face, face.distance <= least + face.rounding });
   }
+  std::sort(faces.begin(), faces.end());
+  return faces;
 }
 
 /// Sets what chosen() needs to know of a candidate.
 void complete(
-  const TriangleMesh& mesh, const Vec3& point, double coordinatePrecision, Candidate& candidate)
+  const TriangleMesh& mesh, const Vec3& point, double coordinatePrecision, FaceCandidate& candidate)
 {
   const Id face = candidate.face.id;
   const SnappedPoint closest = snapToFace(mesh, face, point, 0.0);
@@ -187,33 +150,6 @@ void complete(
   {
     candidate.support[k] = weights[k] != 0.0 ? candidate.corners[k] : NoId;
   }
-}
-
-/// What all ranks are told of the candidates that this rank owns: the number of the point, and the
-/// candidate with global ids of the vertices.
-Message messageOf(const MeshPartition& surface,
-  const std::vector<std::vector<Candidate>>& candidates, const std::vector<double>& least)
-{
-  Message message;
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-  {
-    for (Candidate candidate : candidates[i])
-    {
-      if (!candidate.isClosest(least[i]) || !surface.isOwn(candidate.face.id))
-      {
-        continue;
-      }
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        candidate.corners[k] = surface.globalId(candidate.corners[k]);
-        candidate.support[k] = candidate.support[k] == NoId ? NoId : candidate.corners[k];
-      }
-      candidate.face = surface.addressOf(candidate.face.id);
-      put(message, i);
-      put(message, candidate);
-    }
-  }
-  return message;
 }
 
 } // anonymous namespace
@@ -233,14 +169,15 @@ public:
   }
 
   /// The faces that may be among the closest, unordered.
-  std::vector<Candidate> candidates(const Vec3& point, double coordinatePrecision, const Job& job)
+  std::vector<FaceCandidate> candidates(
+    const Vec3& point, double coordinatePrecision, const Job& job)
   {
     Search search{ point, coordinatePrecision, job, Infinity, {}, 0.0 };
     this->search(search, 0);
-    std::vector<Candidate>& found = search.found;
-    const auto isOver = [&](const Candidate& f) { return !f.isClosest(search.distance); };
+    std::vector<FaceCandidate>& found = search.found;
+    const auto isOver = [&](const FaceCandidate& f) { return !f.isClosest(search.distance); };
     found.erase(std::remove_if(found.begin(), found.end(), isOver), found.end());
-    for (Candidate& candidate : found)
+    for (FaceCandidate& candidate : found)
     {
       complete(this->mesh_, point, coordinatePrecision, candidate);
     }
@@ -263,7 +200,7 @@ private:
     const double coordinatePrecision;
     const Job& job;
     double distance;
-    std::vector<Candidate> found;
+    std::vector<FaceCandidate> found;
     /// The fraction of the faces that the search has excluded while the tree grows.
     double done;
   };
@@ -375,19 +312,23 @@ SurfaceLocator::SurfaceLocator(const MeshPartition& surface)
 
 SurfaceLocator::~SurfaceLocator() = default;
 
+void SurfaceLocator::plantTree()
+{
+  const TriangleMesh& mesh = this->surface_.mesh();
+  this->tree_ = std::make_unique<FaceTree>(mesh);
+  for (Id face = this->surface_.firstOwnFace(); face < this->surface_.endOfOwnFaces(); ++face)
+  {
+    addFace(mesh, face, this->box_);
+  }
+}
+
 ClosestFaces SurfaceLocator::closest(const std::vector<Vec3>& points,
   const std::vector<std::uint8_t>& isWanted, double coordinatePrecision, const Job& job)
 {
   if (!this->tree_ && std::find(isWanted.begin(), isWanted.end(), 1) != isWanted.end())
   {
-    const TriangleMesh& mesh = this->surface_.mesh();
-    this->tree_ = std::make_unique<FaceTree>(mesh);
-    for (Id face = this->surface_.firstOwnFace(); face < this->surface_.endOfOwnFaces(); ++face)
-    {
-      addFace(mesh, face, this->box_);
-    }
+    this->plantTree();
   }
-  Exchange& exchange = this->surface_.exchange();
   const Job growing = job.part(0.0, FirstPoint);
   const Job searching = job.part(FirstPoint, 1.0);
   std::size_t searched = 0;
@@ -395,39 +336,26 @@ ClosestFaces SurfaceLocator::closest(const std::vector<Vec3>& points,
   while (result.size() < points.size())
   {
     const std::size_t first = result.size();
-    std::vector<double> least(std::min(PointsPerExchange, points.size() - first), Infinity);
-    std::vector<std::vector<Candidate>> candidates(least.size());
-    // First points in the box of this rank's faces, then others, unless another rank has found a
-    // face closer than the box.
-    const auto isSearched = [&](std::size_t i, bool isInBox)
+    const std::size_t last = std::min(first + PointsAtATime, points.size());
+    const auto search = [&](std::size_t i) -> std::vector<FaceCandidate>
     {
-      const double distance = this->box_.distanceTo(points[first + i]);
-      const double slack = precisionFor(this->box_, points[first + i], coordinatePrecision);
-      return isInBox ? distance == 0.0
-                     : distance > 0.0 && distance <= least[i] + slack && distance < Infinity;
-    };
-    for (const bool isInBox : { true, false })
-    {
-      for (std::size_t i = 0; i < least.size(); ++i)
+      if (!isWanted[first + i])
       {
-        if (!isWanted[first + i] || !isSearched(i, isInBox))
-        {
-          continue;
-        }
-        if (searched > 0 && searched % PointsPerReport == 0)
-        {
-          searching.reach(static_cast<double>(searched) / static_cast<double>(points.size()));
-        }
-        ++searched;
-        candidates[i] = this->tree_->candidates(points[first + i], coordinatePrecision, growing);
-        for (const Candidate& candidate : candidates[i])
-        {
-          least[i] = std::min(least[i], candidate.distance);
-        }
+        return {};
       }
-      exchange.findLeast(least);
+      if (searched > 0 && searched % PointsPerReport == 0)
+      {
+        searching.reach(static_cast<double>(searched) / static_cast<double>(points.size()));
+      }
+      ++searched;
+      return this->tree_->candidates(points[first + i], coordinatePrecision, growing);
+    };
+    const FoundOnRanks found = searchOnRanks(this->surface_, this->box_,
+      { points.data() + first, points.data() + last }, coordinatePrecision, search);
+    for (std::size_t i = 0; i < found.least.size(); ++i)
+    {
+      result.push_back(facesOf(found.candidates[i], found.least[i]));
     }
-    addChosen(exchange.tellAll(messageOf(this->surface_, candidates, least)), least, result);
   }
   return result;
 }

@@ -52,6 +52,8 @@ public:
 private:
   class FaceTree;
 
+  void plantTree();
+
   MeshPartition surface_;
   /// Made with the first points.
   std::unique_ptr<FaceTree> tree_;
