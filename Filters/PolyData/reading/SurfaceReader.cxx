@@ -4,12 +4,11 @@
 #include "PolyData/reading/Cracks.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/SeamMerger.h"
+#include "PolyData/reading/SurfaceReaderOnRanks.h"
 #include "PolyData/reading/TriangleReader.h"
 #include "mesh/Box.h"
 #include "mesh/GroupedItems.h"
 
-#include "vtkDataArray.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -20,7 +19,6 @@
 #include <numeric>
 #include <sstream>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 namespace geodesic
@@ -29,64 +27,11 @@ namespace geodesic
 namespace
 {
 
-using Label = RankLabels::Label;
-
 // Where the stages end, as fractions of the whole.
 constexpr double PointsRead = 0.1;
 constexpr double PointsMerged = 0.25;
 constexpr double TrianglesRead = 0.35;
 constexpr double SeamsJoined = 0.5;
-
-/// The vertices of this rank's blocks.
-struct Vertices
-{
-  std::vector<Vec3> positions;
-  VertexOfPoint of;
-  RankLabels labels;
-
-  /// Appends the places and the labels of some vertices.
-  void copy(const std::vector<Id>& some, std::vector<Vec3>& points, std::vector<Label>& keys) const
-  {
-    for (const Id vertex : some)
-    {
-      points.push_back(this->positions[vertex]);
-      keys.push_back(this->labels.of(vertex));
-    }
-  }
-
-  /// Makes one vertex of those that are the same.
-  ///
-  /// \param same for each vertex the one of the same that stays.
-  void join(const std::vector<Id>& same)
-  {
-    std::vector<Label>& known = this->labels.labels;
-    std::vector<Id> numbers(same.size());
-    Id count = 0;
-    for (Id vertex = 0; vertex < same.size(); ++vertex)
-    {
-      if (same[vertex] == vertex)
-      {
-        this->positions[count] = this->positions[vertex];
-        if (!known.empty())
-        {
-          known[count] = known[vertex];
-        }
-        numbers[vertex] = count++;
-      }
-    }
-    if (count == same.size())
-    {
-      return;
-    }
-    for (Id vertex = 0; vertex < same.size(); ++vertex)
-    {
-      numbers[vertex] = numbers[same[vertex]];
-    }
-    this->positions.resize(count);
-    known.resize(known.empty() ? 0 : count);
-    this->of.renumber(std::move(numbers));
-  }
-};
 
 /// For each point the first one at exactly its place. By hashes rather than a point locator, whose
 /// buckets degenerate where most points crowd in a corner of the bounding box.
@@ -193,36 +138,6 @@ PowerOfTwoScale requireScale(double largest)
   return PowerOfTwoScale(largest);
 }
 
-/// What all ranks report together of a mesh.
-SurfaceReport reportOfAllRanks(SurfaceReport own, const MeshPartition& partition)
-{
-  const TriangleMesh& mesh = partition.mesh();
-  if (!partition.isDistributed())
-  {
-    own.edges = mesh.numberOfEdges();
-    return own;
-  }
-  // An edge counts on the rank that owns its first face.
-  const Id end = TriangleMesh::halfedgeOf(partition.endOfOwnFaces(), 0);
-  for (Id halfedge = TriangleMesh::halfedgeOf(partition.firstOwnFace(), 0); halfedge < end;
-       ++halfedge)
-  {
-    own.edges += mesh.edgeOf(halfedge) == halfedge ? 1 : 0;
-  }
-  SurfaceReport all;
-  for (const SurfaceReport& report : valuesOfRanks(partition.exchange(), own))
-  {
-    all.droppedVertexCells += report.droppedVertexCells;
-    all.droppedLineCells += report.droppedLineCells;
-    all.facesWithRepeatedPoint += report.facesWithRepeatedPoint;
-    all.joinedSeamPoints += report.joinedSeamPoints;
-    all.crackEdges += report.crackEdges;
-    all.crackWidth = std::max(all.crackWidth, report.crackWidth);
-    all.edges += report.edges;
-  }
-  return all;
-}
-
 /// Reads the blocks of one surface, stage by stage.
 struct SurfaceReader
 {
@@ -232,7 +147,7 @@ struct SurfaceReader
   const Job& job;
   std::vector<SurfaceBlock> blocks{};
   Id numberOfPoints = 0;
-  Vertices vertices{};
+  PieceVertices vertices{};
   TriangleList triangles{};
   /// The role of each triangle; empty if all are open.
   std::vector<TriangleRole> roles{};
@@ -270,10 +185,7 @@ struct SurfaceReader
     joining.reach(0.0);
     std::vector<double> precisions = this->storedPrecisions();
     this->scaleVertices();
-    if (this->exchange.numberOfRanks() > 1)
-    {
-      this->joinRanks();
-    }
+    joinRanks(this->inputs, this->blocks, this->merging.isWanted, this->exchange, this->vertices);
     joining.reach(0.3);
     if (this->merging.isWanted)
     {
@@ -392,29 +304,6 @@ struct SurfaceReader
     return precisions;
   }
 
-  /// Makes one vertex of those with the same label, if ranks share any.
-  void joinSameLabels()
-  {
-    const RankLabels& labels = this->vertices.labels;
-    std::unordered_map<Label, Id> first;
-    std::vector<Id> same(this->vertices.positions.size());
-    for (Id vertex = 0; vertex < same.size(); ++vertex)
-    {
-      same[vertex] =
-        labels.isSharedAt(vertex) ? first.emplace(labels.of(vertex), vertex).first->second : vertex;
-    }
-    this->vertices.join(same);
-  }
-
-  /// Labels the vertices: vertices of different ranks that are one get the same label. If several
-  /// vertices of this rank get the same, they are one, too.
-  void joinRanks()
-  {
-    this->vertices.labels = joinSameVertices(
-      this->vertices.positions, this->merging.isWanted, this->globalIds(), this->exchange);
-    this->joinSameLabels();
-  }
-
   /// Joins vertices that only the precision of coordinates, or the user's tolerance, keeps apart.
   void joinSeams(std::vector<double> precisions)
   {
@@ -430,7 +319,7 @@ struct SurfaceReader
     // All ranks have counted the same.
     this->report.joinedSeamPoints =
       this->exchange.rank() == 0 ? static_cast<vtkIdType>(joined.count) : 0;
-    std::vector<Label>& labels = this->vertices.labels.labels;
+    std::vector<RankLabels::Label>& labels = this->vertices.labels.labels;
     std::vector<Id> same(this->vertices.positions.size());
     std::iota(same.begin(), same.end(), Id(0));
     for (Id vertex = 0; vertex < same.size(); ++vertex)
@@ -451,36 +340,8 @@ struct SurfaceReader
       }
     }
     this->vertices.join(same);
-    this->joinSameLabels();
+    joinSameLabels(this->vertices);
     this->box = this->boxOf(this->triangles.corners, this->vertices.of);
-  }
-
-  /// A global id and a vertex for each point; empty if points of any rank have no global ids.
-  std::vector<std::pair<std::int64_t, Id>> globalIds() const
-  {
-    std::vector<std::pair<std::int64_t, Id>> ids;
-    bool isComplete = true;
-    for (std::size_t block = 0; block < this->blocks.size() && isComplete; ++block)
-    {
-      vtkPolyData* data = this->inputs[block].data;
-      vtkDataArray* array = data->GetPointData()->GetGlobalIds();
-      if (!array)
-      {
-        array = data->GetPointData()->GetArray("GlobalPointIds");
-      }
-      const vtkIdType count = data->GetNumberOfPoints();
-      isComplete = count == 0 || (array && array->GetNumberOfTuples() >= count);
-      for (vtkIdType i = 0; i < count && isComplete; ++i)
-      {
-        ids.emplace_back(static_cast<std::int64_t>(array->GetComponent(i, 0)),
-          this->vertices.of(this->blocks[block].firstPoint + static_cast<Id>(i)));
-      }
-    }
-    if (!this->isTrueOnAll(isComplete))
-    {
-      ids.clear();
-    }
-    return ids;
   }
 
   /// Takes the faces, in the memory of the triangles.
@@ -520,11 +381,7 @@ struct SurfaceReader
       whole = this->boxOf(faces.open, {});
       whole.add(this->boxOf(faces.barriers, {}));
     }
-    for (const Box& other : valuesOfRanks(this->exchange, whole))
-    {
-      whole.add(other);
-    }
-    return whole;
+    return boxOfRanks(whole, this->exchange);
   }
 
   /// Makes the meshes of the open faces and of the barriers.
@@ -537,21 +394,8 @@ struct SurfaceReader
     std::vector<Vec3> barrierPoints;
     std::vector<std::uint64_t> barrierKeys;
     this->vertices.copy(inBarriers, barrierPoints, barrierKeys);
-    // One process keeps the other vertices, too: points need no table then.
-    std::vector<Id> numbers;
     std::vector<std::uint64_t> keys;
-    if (this->exchange.numberOfRanks() > 1)
-    {
-      const std::vector<Id> used = numberUsedVertices(faces.open, count);
-      numbers.assign(count, NoId);
-      for (std::size_t i = 0; i < used.size(); ++i)
-      {
-        numbers[used[i]] = static_cast<Id>(i);
-      }
-      std::vector<Vec3> points;
-      this->vertices.copy(used, points, keys);
-      this->vertices.positions = std::move(points);
-    }
+    std::vector<Id> numbers = keepUsedVertices(faces.open, this->exchange, this->vertices, keys);
     BorrowedValues elsewhere = findValuesElsewhere(this->vertices.labels, numbers, this->exchange);
     this->vertices.labels = {};
     MeshPartition partition(std::move(this->vertices.positions), faces.open, keys, this->exchange,
@@ -576,7 +420,7 @@ struct SurfaceReader
     {
       findCracks(partition, diagonal, this->report);
     }
-    const SurfaceReport ofAllRanks = reportOfAllRanks(this->report, partition);
+    const SurfaceReport ofAllRanks = reportOfRanks(this->report, partition);
     PolyDataSurface surface(std::move(partition));
     surface.valuesElsewhere = std::move(elsewhere);
     surface.barriers = std::move(barriers);
