@@ -9,7 +9,7 @@ sys.path.append(dirname(__file__))  # File > Load State... does not look there
 import look
 from paraview.simple import *
 
-HALF_WIDTH, ARROW = 0.15, 0.15
+HALF_WIDTH, ARROW, ARROWS = 0.15, 0.15, 25
 
 flat = Plane(Origin=(-1.6, -1, 0), Point1=(1.6, -1, 0), Point2=(-1.6, 1, 0), XResolution=160, YResolution=60)
 waves = Calculator(Input=flat, CoordinateResults=1,
@@ -26,12 +26,14 @@ field = GeodesicDistanceFieldFromDrawnCurve(Input=waves, GenerateSourceArcLength
 field.Points = [x for i in range(81) for x in drawn(i / 80)]
 
 band = Clip(Input=field, ClipType="Scalar", Scalars=("POINTS", "GeodesicDistance"), Value=HALF_WIDTH)
-beside = Clip(Input=field, ClipType="Scalar", Scalars=("POINTS", "GeodesicDistance"), Value=HALF_WIDTH, Invert=0)
 # The farther from the curve, the farther back has a point the same number: arrowheads.
 arrows = Calculator(Input=band, ResultArrayName="Arrow", Function="SourceArcLength + GeodesicDistance")
+whole = IsoVolume(Input=arrows, InputScalars=("POINTS", "Arrow"), ThresholdRange=(ARROW, (ARROWS + 1)*ARROW))
 
 view = look.view(field, direction=(0.1, -0.75, 0.8))
-look.plain(Show(beside, view))
-look.steps(Show(arrows, view), ("POINTS", "Arrow"), 0, 30*ARROW, [look.FAR, look.NEAR]*15)
-look.lines(Show(OutputPort(field, 1), view), width=3)
+look.plain(Show(field, view))
+shown = Show(whole, view)
+look.steps(shown, ("POINTS", "Arrow"), ARROW, (ARROWS + 1)*ARROW, ([look.FAR, look.NEAR]*ARROWS)[:ARROWS])
+look.nearer(shown, view)
+look.note(f"Arrows are {ARROW} long")
 look.save(view, globals())

@@ -30,8 +30,11 @@ rooms = Threshold(Input=field, Scalars=("CELLS", "Wall"), ThresholdMethod="Below
 low = Threshold(Input=plan, Scalars=("CELLS", "Wall"), ThresholdMethod="Above Upper Threshold", UpperThreshold=0.01)
 raised = LinearExtrusion(Input=ExtractSurface(Input=low), Vector=(0, 0, 0.7))
 view = look.view([rooms, raised], direction=(0.15, -0.6, 0.9))
-look.stripes(Show(rooms, view), count=34)
+look.stripes(Show(rooms, view), width=0.5, unit=" m")
 look.plain(Show(raised, view))
 look.lines(Show(paths, view), width=3)
-look.lines(Show(OutputPort(field, 1), view), width=7)
+for i in range(0, 18, 3):
+    look.ball(people.Points[i:i + 3], 0.15, color=look.DARK)
+look.lines(Show(OutputPort(field, 1), view), color=look.GREEN, width=9)
+look.note("door", (0.02, 0.66))
 look.save(view, globals())

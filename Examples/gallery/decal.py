@@ -9,10 +9,10 @@ import look
 import scan
 from paraview.simple import *
 
-CHECKERS = 8
+CHECKERS = 6
 
 head = scan.head()
-start = PointSource(NumberOfPoints=1, Radius=0, Center=(42, 192, 98))
+start = PointSource(NumberOfPoints=1, Radius=0, Center=(48, 188, 112))
 field = GeodesicDistanceField(Input=head, Source=start, GenerateSourceAngle=1, GenerateTextureCoordinates=1,
                               TextureScale=14)
 
@@ -26,6 +26,10 @@ fine = Subdivide(Input=triangles, NumberofSubdivisions=2)
 checkers = Calculator(Input=fine, ResultArrayName="Checkers", Function=f"sin(3.14159265*{u})*sin(3.14159265*{v})")
 
 view = look.view(head, direction=(-0.55, 0.83, 0.1), size=(640, 640))
-look.plain(Show(rest, view))
-look.steps(Show(checkers, view), ("POINTS", "Checkers"), -1, 1, [look.FAR, look.NEAR])
+skin, decal = Show(rest, view), Show(checkers, view)
+look.plain(skin)
+look.steps(decal, ("POINTS", "Checkers"), -1, 1, [look.FAR, look.NEAR])
+look.smooth(skin)
+look.smooth(decal)
+look.note("Squares of 14 mm", at=(0.02, 0.94))
 look.save(view, globals())

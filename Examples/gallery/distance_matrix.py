@@ -25,7 +25,8 @@ def electrode(ring, turn):
     return from_middle[near][along[near].argmax()] + (90, 104, 72)
 
 
-places = [electrode(ring, i/count) for ring, count in enumerate((1, 6, 12, 18)) for i in range(count)]
+COUNTS = 1, 6, 12, 18
+places = [electrode(ring, i/count) for ring, count in enumerate(COUNTS) for i in range(count)]
 electrodes = PolyLineSource(Points=numpy.ravel(places))
 electrodes = MaskPoints(Input=electrodes, OnRatio=1, GenerateVertices=1, SingleVertexPerCell=1)
 table = GeodesicDistanceMatrix(Input=head, Source=electrodes)
@@ -50,9 +51,18 @@ view = look.view([head, picture], direction=back)
 skin = Show(head, view)
 look.plain(skin)
 look.smooth(skin)
-Ids = PointAndCellIds if "PointAndCellIds" in globals() else GenerateIds  # of ParaView 6, or 5.11
-balls = Show(Ids(registrationName="GenerateIds1", Input=electrodes), view)
-look.lines(balls, width=7)
-look.steps(balls, ("POINTS", "PointIds"), 0, 37, look.shades(37))
-look.steps(Show(picture, view), ("CELLS", "Distance"), 0, distances.max(), look.shades(48))
+shown = Show(picture, view)
+look.steps(shown, ("CELLS", "Distance"), 0, 300, look.shades(30))
+look.legend(shown, "Distance (mm)", [0, 300], at=(0.53, 0.04))
+look.note("to", (0.525, 0.91))
+look.note("from", (0.46, 0.84))
+# A color a ring, on the head and along both sides of the matrix.
+colors = [color for color, count in zip(look.RINGS, COUNTS) for i in range(count)]
+for place, color in zip(places, colors):
+    look.ball(place, 4, color)
+ends = numpy.cumsum((0, *COUNTS))*190/37
+for first, last, color in zip(ends, ends[1:], look.RINGS):
+    for side, along in (-7*down, right), (-7*right, down):
+        bar = Show(Line(Point1=corner + side + (first + 1)*along, Point2=corner + side + (last - 1)*along), view)
+        look.thin_lines(bar, color, 8)
 look.save(view, globals())

@@ -19,6 +19,6 @@ field = GeodesicDistanceFieldFromDrawnCurve(Input=roll)
 field.Points = [-0.1, -0.9, 1.1, 0.4, -0.4, 0.95, -0.05, 0.1, 1.1, 0.45, 0.5, 0.9, -0.1, 0.9, 1.1]
 
 view = look.view(field, direction=(0.8, -0.55, 0.5))
-look.stripes(Show(field, view), count=44)
+look.stripes(Show(field, view), width=0.2)
 look.lines(Show(OutputPort(field, 1), view))
 look.save(view, globals())

@@ -19,6 +19,6 @@ edges = FeatureEdges(Input=gear, FeatureAngle=30, BoundaryEdges=0, NonManifoldEd
 field = GeodesicDistanceField(Input=gear, Source=edges)
 
 view = look.view(field)
-look.stripes(Show(field, view), count=14)
+look.stripes(Show(field, view), width=0.02)
 look.lines(Show(edges, view), width=3)
 look.save(view, globals())

@@ -15,8 +15,11 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 import small_png
 
 NEAR, MIDDLE, FAR = (0.98, 0.84, 0.42), (0.87, 0.36, 0.38), (0.22, 0.26, 0.58)
-RED, BLUE = (0.86, 0.36, 0.30), (0.25, 0.42, 0.70)
+RED, BLUE = (0.76, 0.16, 0.18), (0.12, 0.27, 0.60)
+GREEN = (0.1, 0.55, 0.3)
+PALE_RED, PALE_BLUE = (0.98, 0.72, 0.58), (0.62, 0.80, 0.95)
 WHITE, PALE, GRAY, DARK = (0.97, 0.96, 0.94), (0.87, 0.87, 0.85), (0.75, 0.75, 0.75), (0.2, 0.2, 0.22)
+RINGS = (0.15, 0.45, 0.65), (0.35, 0.70, 0.60), (0.55, 0.45, 0.70), (0.25, 0.25, 0.28)
 REGIONS = ((0.98, 0.80, 0.40), (0.87, 0.42, 0.40), (0.45, 0.66, 0.55),
            (0.36, 0.42, 0.68), (0.72, 0.56, 0.76), (0.66, 0.80, 0.90))
 
@@ -54,11 +57,22 @@ def striped(colors, darkness=0.28):
     return [mix(color, (0, 0, 0), darkness) if i % 2 else color for i, color in enumerate(colors)]
 
 
-def stripes(display, largest=None, count=24, array="GeodesicDistance"):
-    """Colors a display by a distance in stripes of one width, up to the largest distance."""
-    simple.ColorBy(display, ("POINTS", array))
+def stripes(display, width=None, largest=None, unit="", at=(0.02, 0.03)):
+    """Colors a display by its distance in stripes of one round width, up to the largest distance, and notes the
+    width in the picture."""
+    array = ("POINTS", "GeodesicDistance")
+    simple.ColorBy(display, array)
     largest = largest or range_of(display)[1]
-    steps(display, ("POINTS", array), 0, largest, striped(shades(count)))
+    width = width or round_width(largest)
+    count = int(np.ceil(largest / width))
+    steps(display, array, 0, count * width, striped(shades(count)))
+    note(f"Stripes are {width:g}{unit} wide", at)
+
+
+def round_width(largest, most=30):
+    """The smallest width of 1, 2 or 5 times a power of ten that gives no more stripes than that."""
+    decade = 10.0 ** np.floor(np.log10(largest / most))
+    return next(factor * decade for factor in (1, 2, 5, 10) if factor * decade * most >= largest)
 
 
 def range_of(display):
@@ -68,18 +82,21 @@ def range_of(display):
     return display.LookupTable.RGBPoints[0], display.LookupTable.RGBPoints[-4]
 
 
-def sides(display, count=12, array="SignedGeodesicDistance"):
-    """Colors a display by a signed distance in stripes, blue for negative and red for positive ones."""
-    simple.ColorBy(display, ("POINTS", array))
-    largest = max(abs(end) for end in range_of(display))
-    right, left = (striped([mix(WHITE, color, (i + 1) / count) for i in range(count)], 0.15)
-                   for color in (BLUE, RED))
-    steps(display, ("POINTS", array), -largest, largest, right[::-1] + left)
-
-
-def steps(display, array, low, high, colors):
-    """Colors a display by an array in equal steps from a low to a high value."""
+def sides(display, width):
+    """Colors a display by its signed distance in stripes of one width, blue for negative and red for positive ones,
+    and notes the width."""
+    array = ("POINTS", "SignedGeodesicDistance")
     simple.ColorBy(display, array)
+    count = int(np.ceil(max(abs(end) for end in range_of(display)) / width))
+    right, left = (striped([mix(pale, color, i / (count - 1)) for i in range(count)], 0.2)
+                   for pale, color in ((PALE_BLUE, BLUE), (PALE_RED, RED)))
+    steps(display, array, -count * width, count * width, right[::-1] + left)
+    note(f"Stripes are {width:g} wide")
+
+
+def steps(display, array, low, high, colors, separate=False):
+    """Colors a display by an array in equal steps from a low to a high value, also with a color map of its own."""
+    simple.ColorBy(display, array, separate)
     ends = np.linspace(low, high, len(colors) + 1)
     table = display.LookupTable
     table.InterpretValuesAsCategories = 0
@@ -137,11 +154,18 @@ def colored_lines(display, largest=None, width=3):
     display.LineWidth = width
     display.RenderLinesAsTubes = 0
     display.Ambient, display.Diffuse = 1, 0
-    # Plain lines, as some drivers draw thin tubes as dashes, and a little nearer to the eye than the
-    # surface that they lie on. In a parallel projection that moves nothing in the picture.
-    view = simple.GetActiveView()
+    nearer(display, simple.GetActiveView())  # plain lines, as some drivers draw thin tubes as dashes
+
+
+def nearer(display, view):
+    """Shows something a little nearer to the eye than the surface that it lies on. In a parallel projection that moves
+    nothing in the picture."""
+    move(display, 0.01 * np.subtract(view.CameraPosition, view.CameraFocalPoint))
+
+
+def move(display, way):
     name = "Translation" if hasattr(display, "Translation") else "Position"  # as of ParaView 5.13, or before
-    setattr(display, name, list(0.01 * np.subtract(view.CameraPosition, view.CameraFocalPoint)))
+    setattr(display, name, list(way))
 
 
 def ball(center, radius, color=WHITE):
@@ -160,6 +184,51 @@ def round_lines(display, width):
     display.ShaderReplacements = """[{ "type": "fragment", "original": "//VTK::UniformFlow::Impl",
         "replacement": "gl_FragDepth = gl_FragCoord.z;\\n//VTK::UniformFlow::Impl\\n" }]"""
     display.UseShaderReplacements = 1
+
+
+def with_normals(surface):
+    """A surface that bends without facets when it is shown smooth."""
+    Normals = getattr(simple, "SurfaceNormals", None) or simple.GenerateSurfaceNormals  # of ParaView 5.12, or 5.11
+    return Normals(registrationName="Normals", Input=surface, Splitting=0)
+
+
+# ------------------------------------------------------------------------------------------ words
+def note(text, at=(0.02, 0.03), size=18):
+    """Writes words into the view that is active, from a place on in fractions of its width and height."""
+    display = simple.Show(simple.Text(Text=text))
+    display.WindowLocation = "Any Location"
+    display.Position = at
+    display.FontSize = size
+    display.Color = DARK
+
+
+def legend(display, title, ends, at=(0.03, 0.05), length=0.3):
+    """Shows the colors of a display as a bar in the view that is active, with the numbers at its ends."""
+    view = simple.GetActiveView()
+    bar = simple.GetScalarBar(display.LookupTable, view)
+    bar.Title, bar.ComponentTitle = title, ""
+    bar.Orientation, bar.WindowLocation = "Horizontal", "Any Location"
+    bar.Position, bar.ScalarBarLength, bar.ScalarBarThickness = at, length, 12
+    bar.TitleFontSize = bar.LabelFontSize = 18
+    bar.TitleColor = bar.LabelColor = DARK
+    bar.UseCustomLabels, bar.CustomLabels = 1, ends
+    bar.AddRangeLabels = bar.DrawTickMarks = display.LookupTable.UseAboveRangeColor = 0
+    bar.Visibility = 1
+    bar.TitleJustification = "Left"
+
+
+def axes(display, title, x_labels, y_labels):
+    """Shows numbers at the left and the lower side of what lies in the plane of x and y, and a title below."""
+    grid = display.DataAxesGrid
+    grid.GridAxesVisibility, grid.ShowGrid, grid.ShowEdges = 1, 0, 0
+    grid.XTitle, grid.YTitle, grid.ZTitle = title, "", ""
+    grid.FacesToRender, grid.AxesToLabel = 4, 3
+    for axis in "XY":
+        for words in "Title", "Label":
+            setattr(grid, f"{axis}{words}FontSize", 18)
+            setattr(grid, f"{axis}{words}Color", DARK)
+    grid.XAxisUseCustomLabels, grid.XAxisLabels = 1, list(x_labels)
+    grid.YAxisUseCustomLabels, grid.YAxisLabels = 1, list(y_labels)
 
 
 # ----------------------------------------------------------------------------------------- camera

@@ -28,10 +28,11 @@ lines = [PolyLineSource(Points=points) for points in (
 curves = on_hills(AppendGeometry(Input=lines))
 
 field = GeodesicDistanceField(Input=hills, Source=curves, GenerateSourceIds=1, RefineSourceBorders=1)
-rings = GeodesicContour(Input=hills, Source=curves, Distances=[0.05 * i for i in range(1, 20)])
+rings = GeodesicContour(Input=hills, Source=curves, Distances=[0.1 * i for i in range(1, 10)])
 
 view = look.view(field, direction=(0.2, -0.7, 0.9))
 look.regions(Show(field, view), "SourceId")
 look.thin_lines(Show(rings, view))
 look.lines(Show(OutputPort(field, 1), view), color=look.DARK)
+look.note("Lines are 0.1 apart")
 look.save(view, globals())

@@ -21,13 +21,13 @@ def seam(t):
     return 0.75*cos(t) + 0.25*cos(3*t), 0.75*sin(t) - 0.25*sin(3*t), sqrt(0.75)*sin(2*t)
 
 
-ball = bumpy(Sphere(Radius=1, ThetaResolution=150, PhiResolution=100))
+ball = look.with_normals(bumpy(Sphere(Radius=1, ThetaResolution=150, PhiResolution=100)))
 curve = bumpy(PolyLineSource(Points=[x for i in range(120) for x in seam(2*pi*i/120)], Closed=1))
 field = GeodesicDistanceField(Input=ball, Source=curve, GenerateSignedDistance=1)
 
 view = look.view(field)
 shown = Show(field, view)
-look.sides(shown)
+look.sides(shown, width=0.1)
 look.smooth(shown)
 look.lines(Show(OutputPort(field, 1), view), color=look.DARK)
 look.save(view, globals())

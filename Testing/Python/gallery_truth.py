@@ -9,6 +9,7 @@ import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonExecutionModel import vtkExtentTranslator
 from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 
 from geodesic_testing import FLOAT, assert_close, data, distances, points
@@ -461,7 +462,16 @@ def assembly(names):
 
 
 def several_ranks(names):
-    """In the unrolled sheet, from the curve as it lies there, whose points are joined straight."""
+    """In the unrolled sheet, from the curve as it lies there, whose points are joined straight; the quarters of the
+    picture are the pieces of four ranks."""
+    pieces = vtkExtentTranslator()
+    pieces.SetWholeExtent(*names["grid"].WholeExtent)
+    pieces.SetNumberOfPieces(4)
+    for rank, sides in enumerate(names["QUARTERS"]):
+        pieces.SetPiece(rank)
+        pieces.PieceToExtent()
+        ends = np.reshape(pieces.GetExtent(), (3, 2))[:2] * np.reshape(sides, (2, 1))
+        assert ends.min() == 0 and np.all(ends.max(axis=1) == (45, 30)), (rank, ends)
     sheet = Bent(names["bent"])
     ends = sheet.unrolled(segments(data(names["field"], 1)))
     expected = to_segments(sheet.unrolled(points(data(names["field"]))), ends)

@@ -61,7 +61,8 @@ def arrays(output):
     for kind in ("PointData", "CellData", "RowData"):
         attributes = getattr(output, f"Get{kind}", lambda: None)()
         for i in range(attributes.GetNumberOfArrays() if attributes else 0):
-            found[kind, attributes.GetArrayName(i)] = vtk_to_numpy(attributes.GetArray(i))
+            if attributes.GetArray(i):  # else words
+                found[kind, attributes.GetArrayName(i)] = vtk_to_numpy(attributes.GetArray(i))
     return {key: np.array(value) for key, value in found.items()}
 
 
