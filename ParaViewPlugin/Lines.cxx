@@ -106,7 +106,11 @@ bool areOutput(vtkSMSourceProxy* filter, unsigned int port)
 
 void show(vtkSMPVRepresentationProxy* representation)
 {
-  const double color[3] = { 0.0, 0.7, 0.35 };
+  auto* filter =
+    vtkSMSourceProxy::SafeDownCast(vtkSMPropertyHelper(representation, "Input").GetAsProxy());
+  const bool isContour = filter && filter->GetProperty("Distances");
+  const double green[3] = { 0.0, 0.7, 0.35 }, cyan[3] = { 0.0, 0.65, 0.85 };
+  const double* color = isContour ? cyan : green;
   representation->SetScalarColoring(nullptr, vtkDataObject::POINT);
   for (const char* name : { "AmbientColor", "DiffuseColor" })
   {

@@ -17,8 +17,9 @@ bool isGeodesicFilter(vtkSMSourceProxy* filter);
 /// Whether an output of a filter of this plugin is lines on a surface.
 bool areOutput(vtkSMSourceProxy* filter, unsigned int port);
 
-/// Shows lines and points in one color that neither stripes nor ParaView's white surfaces have, as
-/// tubes and balls, which stand out of the surface that they lie on.
+/// Shows lines and points in one color that neither stripes nor ParaView's white surfaces have, and
+/// contours in another one than sources, as tubes and balls, which stand out of the surface that
+/// they lie on.
 void show(vtkSMPVRepresentationProxy* representation);
 
 /// Rounds the default distance of a contour to 1, 2 or 5 times a power of ten.

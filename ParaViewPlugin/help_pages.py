@@ -19,17 +19,15 @@ PICTURES = {
     "GeodesicContour": "offset_curves", "GeodesicDistanceField": "stripes",
     "GeodesicDistanceFieldFromDrawnCurve": "drawn_curve", "GeodesicDistanceMatrix": "distance_matrix",
     "GeodesicPaths": "shortest_paths"}
-PAPER = """<p>The method: D. Bommes and L. Kobbelt, <i>Accurate Computation of Geodesic Distance Fields for Polygonal Curves on
-Triangle Meshes</i>, Vision, Modeling, and Visualization (VMV), pages 151-160, 2007.</p>"""
 STYLE = "body { font-family: sans-serif } td { padding: 4px 12px 4px 0; vertical-align: top }"
 
 
 def formatted(text):
     """A description with its *names* as HTML, in paragraphs."""
-    text = html.escape(re.sub(r"[ \t]+", " ", text or "").strip(), quote=False)
+    text = html.escape(text or "", quote=False)
     text = re.sub(r"\*\*(.+?)\*\*", r"<b>\1</b>", text, flags=re.DOTALL)
     text = re.sub(r"\*(.+?)\*", r"<i>\1</i>", text, flags=re.DOTALL)
-    return "".join(f"<p>{paragraph}</p>" for paragraph in re.split(r"\n\s*\n", text))
+    return "".join(f"<p>{' '.join(paragraph.split())}</p>" for paragraph in re.split(r"\n\s*\n", text))
 
 
 def read(files):
@@ -71,7 +69,6 @@ def page(proxy, filters):
 <h1>{label}</h1>
 <img src="{PICTURES[name]}.png" width="560">
 {formatted(proxy.findtext("Documentation"))}
-{PAPER}
 <h2>Properties</h2>
 <table><tr><td><b>Property</b></td><td><b>Default</b></td><td><b>Description</b></td></tr>
 {rows}</table>

@@ -40,7 +40,7 @@ class Help(unittest.TestCase):
             for picture in re.findall(r'<img src="([^"]+)"', text):
                 self.assertTrue(self.files[picture].startswith(b"\x89PNG"))
             self.assertIn("<img ", text)
-            self.assertIn("Bommes", text)
+            self.assertEqual(text.count("Bommes"), 1)
             self.assertNotIn("*", text)
             labels = [proxy.get("label"), "Source Type", "Barrier Array Name"]
             for child in proxy:

@@ -20,9 +20,9 @@ SIDE = [(0, 0, 0), (0, 3, 0)]
 
 
 def is_line(colors):
-    """Where pixels are greener than any stripe or surface."""
+    """Where pixels are greener than any stripe or surface, or cyan."""
     red, green, blue = np.moveaxis(colors, -1, 0)
-    return (green > 1.25 * red) & (green > 1.25 * blue)
+    return (green > 1.25 * red) & (green > 0.7 * blue)
 
 
 class Lines(unittest.TestCase):
