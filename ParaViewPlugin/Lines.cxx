@@ -35,11 +35,6 @@ std::pair<vtkSMProxy*, unsigned int> producerOf(vtkSMProxy* filter, const char* 
   return { producer, producer ? helper.GetOutputPort() : 0 };
 }
 
-bool haveSame(const char* input, vtkSMProxy* a, vtkSMProxy* b)
-{
-  return producerOf(a, input) == producerOf(b, input);
-}
-
 /// The output of a proxy that consists of points and cells, where it is in this process.
 vtkPointSet* outputOf(vtkSMSourceProxy* producer, unsigned int port)
 {
@@ -97,11 +92,22 @@ bool isGeodesicFilter(vtkSMSourceProxy* filter)
   return name && std::string(name).rfind("vtkGeodesic", 0) == 0;
 }
 
+bool isField(vtkSMSourceProxy* filter)
+{
+  const char* name = filter->GetVTKClassName();
+  return name && std::string(name).rfind("vtkGeodesicDistanceField", 0) == 0;
+}
+
+bool haveSame(const char* input, vtkSMProxy* a, vtkSMProxy* b)
+{
+  return producerOf(a, input) == producerOf(b, input);
+}
+
 bool areOutput(vtkSMSourceProxy* filter, unsigned int port)
 {
   const std::string name = filter->GetVTKClassName() ? filter->GetVTKClassName() : "";
   return name == "vtkGeodesicContour" || name == "vtkGeodesicPaths" ||
-    (port == 1 && name.rfind("vtkGeodesicDistanceField", 0) == 0);
+    (port == 1 && isField(filter));
 }
 
 void show(vtkSMPVRepresentationProxy* representation)

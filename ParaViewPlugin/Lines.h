@@ -5,6 +5,7 @@
 #include <vector>
 
 class vtkSMPVRepresentationProxy;
+class vtkSMProxy;
 class vtkSMSourceProxy;
 
 /// What a user sees first of the outputs that are lines on a surface, and of a contour's distances.
@@ -13,6 +14,12 @@ namespace lines
 
 /// Whether a filter is of this plugin.
 bool isGeodesicFilter(vtkSMSourceProxy* filter);
+
+/// Whether a filter gives distances at the points of a surface.
+bool isField(vtkSMSourceProxy* filter);
+
+/// Whether two filters have the same input of a name.
+bool haveSame(const char* input, vtkSMProxy* a, vtkSMProxy* b);
 
 /// Whether an output of a filter of this plugin is lines on a surface.
 bool areOutput(vtkSMSourceProxy* filter, unsigned int port);

@@ -14,6 +14,7 @@
 #include "vtkPVGeneralSettings.h"
 #include "vtkProcessModule.h"
 #include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMSessionProxyManager.h"
@@ -21,6 +22,7 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
+#include "vtkSMViewProxy.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
@@ -253,6 +255,10 @@ public:
       {
         lines::show(shown);
       }
+      if (hasPanel() && lines::isField(filter) && input.GetOutputPort() == 1)
+      {
+        this->HideOtherFields(filter);
+      }
     }
     else if (auto* filter = vtkSMSourceProxy::SafeDownCast(registered->Proxy))
     {
@@ -344,6 +350,28 @@ private:
         lines::putDefaultCurveOnSurface(filter);
       }
       this->SetRangesOfContours();
+    }
+  }
+
+  /// Where a field is shown, older ones of the same surface would shine through it. ParaView shows
+  /// one output after the other: at the second one the view is no longer empty without them, or
+  /// ParaView would reset its camera.
+  void HideOtherFields(vtkSMSourceProxy* filter)
+  {
+    vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+    for (unsigned int i = 0; i < filter->GetNumberOfConsumers(); ++i)
+    {
+      vtkSMProxy* shown = filter->GetConsumerProxy(i);
+      vtkSMViewProxy* view =
+        shown->IsA("vtkSMRepresentationProxy") ? vtkSMViewProxy::FindView(shown) : nullptr;
+      for (vtkSMSourceProxy* other : this->Filters)
+      {
+        if (view && other && other != filter && lines::isField(other) &&
+          lines::haveSame("Input", other, filter))
+        {
+          controller->Hide(other, 0, view);
+        }
+      }
     }
   }
 

@@ -110,7 +110,8 @@ def watch(name, what):
 
 
 def prepare_animation():
-    """Moves the point across the sheet, in five frames."""
+    """Moves the point across the sheet, in five frames. Later fields of the sheet have hidden that of the point."""
+    simple.Show(simple.FindSource("FromMark"), simple.GetActiveView())
     scene = simple.GetAnimationScene()
     scene.PlayMode = "Sequence"
     scene.NumberOfFrames = FRAMES

@@ -44,6 +44,11 @@ for step, name in (("drawn", "GeodesicDistanceFieldFromDrawnCurve1"), ("other", 
     seen = noted(f"{step}-shown")
     assert seen["selected"] == name and {f"{name}:0", f"{name}:1"} <= set(seen["shown"]), (step, seen)
 
+# A field hides older ones of the same surface, as it hides the surface.
+assert "GeodesicDistanceFieldFromDrawnCurve1:0" in noted("drawn-shown")["shown"]
+for step in ("other", "front"):
+    assert "GeodesicDistanceFieldFromDrawnCurve1:0" not in noted(f"{step}-shown")["shown"], step
+
 # ---------------------------------------------------------------------------------------------- colors
 near, ids, apart, played = (noted(step) for step in ("other", "ids", "apart", "played"))
 assert ids["array"] == "SourceId" and ids["categories"], ids
