@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DrawnCurve.h"
 
+#include "Browser.h"
+
 #include <QCoreApplication>
 #include <QEvent>
 #include <QItemSelectionModel>
@@ -113,6 +115,10 @@ public:
       watched->setProperty("text", "Show Polyline");
       this->Panels.append(watched->parent());
     }
+    else if (event->type() == QEvent::Polish && watched->inherits("pqProxyWidget"))
+    {
+      this->PipelineBrowser.WatchIn(watched);
+    }
     else if (event->type() == QEvent::Enter && isView(watched) && this->ShownPanel())
     {
       // Keys count where the mouse is, not where something was clicked last.
@@ -155,6 +161,7 @@ private:
   }
 
   QList<QPointer<QObject>> Panels;
+  Browser PipelineBrowser;
 };
 
 }

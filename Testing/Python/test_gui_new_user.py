@@ -40,7 +40,7 @@ np.testing.assert_array_equal(curves["removed"], curves["appended"][:3])
 
 # -------------------------------------------------------------------------- what is selected and shown
 for step, name in (("drawn", "GeodesicDistanceFieldFromDrawnCurve1"), ("other", "GeodesicDistanceField1"),
-                   ("front", "GeodesicDistanceField1")):
+                   ("selected", "GeodesicDistanceField1"), ("front", "GeodesicDistanceField1")):
     seen = noted(f"{step}-shown")
     assert seen["selected"] == name and {f"{name}:0", f"{name}:1"} <= set(seen["shown"]), (step, seen)
 
