@@ -2,6 +2,7 @@
 #include "DrawnCurve.h"
 
 #include "Browser.h"
+#include "Panel.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -23,10 +24,10 @@ bool isView(QObject* object)
 }
 
 /// ParaView's panel of a polyline: its table of points, and the buttons beside it.
-class Panel
+class PolylinePanel
 {
 public:
-  explicit Panel(QObject* widget)
+  explicit PolylinePanel(QObject* widget)
     : Widget(widget)
     , Selection(widget->findChild<QObject*>("PointsTable")->findChild<QItemSelectionModel*>())
   {
@@ -109,6 +110,7 @@ public:
 
   bool eventFilter(QObject* watched, QEvent* event) override
   {
+    improvePanel(watched, *event);
     if (event->type() == QEvent::Polish && watched->objectName() == "show3DWidget" &&
       watched->parent() && watched->parent()->objectName() == "InteractivePolyLine")
     {
@@ -151,11 +153,11 @@ private:
     QObject* panel = key == Qt::Key_3 || key == Qt::Key_Backspace ? this->ShownPanel() : nullptr;
     if (panel && key == Qt::Key_3)
     {
-      Panel(panel).Append();
+      PolylinePanel(panel).Append();
     }
     else if (panel)
     {
-      Panel(panel).RemoveLast();
+      PolylinePanel(panel).RemoveLast();
     }
     return panel != nullptr;
   }

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Panel.h"
+
+#include <QEvent>
+#include <QList>
+#include <QMap>
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QVariant>
+
+namespace
+{
+
+const QMap<QString, QString>& purposes()
+{
+  static const QMap<QString, QString> words{
+    { "GenerateSourceIds", "nearest part of the source" },
+    { "GenerateClosestPoints", "nearest point of the source" },
+    { "GenerateGradients", "direction away from the source" },
+    { "GenerateSignedDistance", "side of the curve" },
+    { "GenerateSourceArcLength", "place along the curve" },
+    { "GenerateSourceAngle", "direction at the source" },
+    { "GenerateTextureCoordinates", "for pictures on the surface" },
+    { "GenerateFaceIds", "cells along the path" },
+  };
+  return words;
+}
+
+bool isResult(const QString& property)
+{
+  static const QStringList results{ "InterpolationErrorBound", "LargestDistance", "LongestLength",
+    "NumberOfPaths", "RelativeErrorBound", "SeamPointsJoined", "ShortestLength", "SourceLength",
+    "SourceSnapDistance", "WindowsPropagatedPerEdge" };
+  return results.contains(property);
+}
+
+}
+
+void improvePanel(QObject* watched, const QEvent& event)
+{
+  if (event.type() == QEvent::Polish && watched->objectName() == "CheckBox" && watched->parent())
+  {
+    const QString purpose = purposes().value(watched->parent()->objectName());
+    if (!purpose.isEmpty())
+    {
+      watched->setProperty("text", watched->property("text").toString() + "\n" + purpose);
+    }
+  }
+  else if (event.type() == QEvent::EnabledChange && watched->inherits("pqPropertyWidget") &&
+    isResult(watched->objectName()) && !watched->property("enabled").toBool())
+  {
+    for (QObject* number : watched->findChildren<QObject*>())
+    {
+      if (number->inherits("QLineEdit"))
+      {
+        number->setProperty("readOnly", true);
+      }
+    }
+    watched->setProperty("enabled", true);
+  }
+}
