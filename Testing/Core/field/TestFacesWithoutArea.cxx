@@ -171,7 +171,7 @@ std::vector<SourceCurve> onSurface(const TriangleMesh& mesh, const FlatLine& lin
   std::vector<geodesic::LocatedPolyline> polylines(1);
   polylines[0].points.assign(line.points.begin(), line.points.end());
   polylines[0].closed = line.closed;
-  polylines[0].name = "the line";
+  polylines[0].name = geodesic::PartName("the line");
   geodesictest::locate(mesh, polylines);
   return geodesic::putOntoSurface(mesh, polylines, DBL_EPSILON, geodesic::joinByShortestPaths(mesh))
     .curves;

@@ -202,7 +202,7 @@ TEST(PeersWrongAnswers, APolylineAcrossANonManifoldEdgeIsExactOnEveryPage)
   geodesic::LocatedPolyline line;
   line.points = { position(mesh, p), position(mesh, q) };
   line.faces = { { p.face }, { q.face } };
-  line.name = "the line";
+  line.name = geodesic::PartName("the line");
   const geodesic::SourceCurves put =
     geodesic::putOntoSurface(engine, { line }, DBL_EPSILON, geodesic::joinByShortestPaths(engine));
   ASSERT_EQ(put.curves.size(), 1u);
