@@ -307,25 +307,36 @@ private:
           maximum);
   }
 
-  /// Splits the edges that are over the limit. If there is none, the error is inside, and splitting
-  /// into four makes new edges there.
+  /// Splits the worst of the edges, or parts of edges, that are over the limit. If there is none,
+  /// the error is inside, where new edges are needed.
   void refine(const Violation& violation)
   {
-    const Id triangle = violation.triangle;
-    bool isOver = false;
-    for (Id k = 0; k < 3; ++k)
+    const Id leaf = violation.triangle;
+    this->overLimit_.clear();
+    double worst = 0.0;
+    this->triangles_.forEachPartOfEdges(leaf,
+      [&](Id edge)
+      {
+        const double deviation = this->workers_.deviation(edge).largest();
+        if (deviation > violation.limit)
+        {
+          this->overLimit_.push_back(edge);
+          worst = std::max(worst, deviation);
+        }
+      });
+    if (this->overLimit_.empty())
     {
-      const Id edge = this->triangles_.ensureEdge(triangle, k);
-      if (!this->triangles_.isSplit(edge) &&
-        this->workers_.deviation(edge).largest() > violation.limit)
+      this->closure_.splitInside(leaf);
+      return;
+    }
+    // in a thin leaf, smaller errors wait until those of other leaves are as small
+    const double least = this->triangles_.isThin(leaf) ? 0.5 * worst : 0.0;
+    for (const Id edge : this->overLimit_)
+    {
+      if (this->workers_.deviation(edge).largest() >= least)
       {
         this->closure_.split(edge);
-        isOver = true;
       }
-    }
-    if (!isOver)
-    {
-      this->closure_.splitIntoFour(triangle);
     }
   }
 
@@ -354,6 +365,8 @@ private:
   LeafClosings closings_;
   ViolationQueue violations_;
   RegionsOfPoints regions_;
+  /// Parts of the edges of the leaf that is refined.
+  std::vector<Id> overLimit_;
   double bound_;
   bool stopped_ = false;
   double worstAtFirst_ = 0.0;

@@ -52,6 +52,8 @@ struct RefinementOptions
 /// it, which differ by flips inside the triangle, refinement takes the one with the best shapes
 /// that meets the tolerance, so that an edge follows where the distance bends. If no way meets the
 /// tolerance, more edges of the triangle are split, and after that the triangle is split into four.
+/// Triangles much longer than high are not split into four: their edges get as many points as they
+/// need, and a strip of triangles connects these.
 ///
 /// If the surface has regions, triangles at their borders are split after those over the tolerance,
 /// the largest first.

@@ -36,6 +36,35 @@ double leastAngle(Vec2 a, Vec2 b, Vec2 c)
     { angleBetween(b - a, c - a), angleBetween(c - b, a - b), angleBetween(a - c, b - c) });
 }
 
+// What to split if a triangle of a strip is too thin; it has a side of the strip's polygon, and an
+// apex on the other side of the strip. If the apex is beside the triangle's side, that side is too
+// long, else the side between them at the apex. No side is split that is not twice as long as
+// another one there, so the shortest of all sides stays the shortest and splitting ends. Returns
+// the number of the side to split, or NoId.
+Id partToSplit(const std::vector<Vec2>& places, Id begin, Id apex)
+{
+  const Id size = static_cast<Id>(places.size());
+  const Vec2 side = places[(begin + 1) % size] - places[begin];
+  const double at = dot(places[apex] - places[begin], side);
+  const Id before = (apex + size - 1) % size;
+  const double length = norm(side);
+  const double lengthBefore = norm(places[apex] - places[before]);
+  const double lengthBehind = norm(places[(apex + 1) % size] - places[apex]);
+  Id longer = begin;
+  double ofLonger = length;
+  if (at < 0.0 && lengthBefore > length)
+  {
+    longer = before;
+    ofLonger = lengthBefore;
+  }
+  else if (at > dot(side, side) && lengthBehind > length)
+  {
+    longer = apex;
+    ofLonger = lengthBehind;
+  }
+  return ofLonger >= 2.0 * std::min({ length, lengthBefore, lengthBehind }) ? longer : NoId;
+}
+
 } // anonymous namespace
 
 RedGreenMesh::Placement DeviationRules::place(Id edge)
@@ -61,8 +90,9 @@ double DeviationRules::weightOf(Id edge) const
       [&](Id leaf)
       {
         allowed = allowed &&
-          this->smallestAngleOfFour(leaf, edge, weight) >=
-            this->allowedAngle(this->triangles_.faceOf(leaf), deviation.largest());
+          (this->triangles_.isThin(leaf) ||
+            this->smallestAngleOfFour(leaf, edge, weight) >=
+              this->allowedAngle(this->triangles_.faceOf(leaf), deviation.largest()));
       });
     if (allowed)
     {
@@ -100,7 +130,7 @@ double DeviationRules::smallestAngleOfFour(Id triangle, Id splitEdge, double wei
 bool DeviationRules::mayClose(Id leaf)
 {
   const double allowed = this->allowedAngle(leaf);
-  const Id ways = RedGreenMesh::waysToClose(this->triangles_.splitEdges(leaf));
+  const Id ways = this->triangles_.waysToClose(leaf);
   for (Id way = 0; way < ways; ++way)
   {
     if (this->smallestAngle(leaf, way) >= allowed)
@@ -124,30 +154,78 @@ double DeviationRules::allowedAngle(Id leaf) const
 
 double DeviationRules::allowedAngle(Id face, double deviation) const
 {
-  const Triangle& corners = this->triangles_.mesh().triangle(face);
-  const double least = leastAngle(this->triangles_.inPlane(corners[0], face),
-    this->triangles_.inPlane(corners[1], face), this->triangles_.inPlane(corners[2], face));
   const double allowed =
     deviation > WorthThinParts * this->tolerance_ ? LeastAngleOfThinParts : LeastAngle;
-  return std::min(allowed, LeastAngleFraction * least);
+  return std::min(allowed, LeastAngleFraction * this->leastAngleOf(face));
+}
+
+double DeviationRules::leastAngleOf(Id face) const
+{
+  const Triangle& corners = this->triangles_.mesh().triangle(face);
+  return leastAngle(this->triangles_.inPlane(corners[0], face),
+    this->triangles_.inPlane(corners[1], face), this->triangles_.inPlane(corners[2], face));
+}
+
+std::vector<Vec2> DeviationRules::placesOf(const RedGreenMesh::Closing& closing, Id face) const
+{
+  std::vector<Vec2> places;
+  for (const Id point : closing.points)
+  {
+    places.push_back(this->triangles_.inPlane(point, face));
+  }
+  return places;
 }
 
 double DeviationRules::smallestAngle(Id leaf, Id way) const
 {
   const Id face = this->triangles_.faceOf(leaf);
   const RedGreenMesh::Closing closing = this->triangles_.closing(leaf, way);
-  std::array<Vec2, 6> p;
-  for (std::size_t i = 0; i < closing.size; ++i)
-  {
-    p[i] = this->triangles_.inPlane(closing.points[i], face);
-  }
+  const std::vector<Vec2> p = this->placesOf(closing, face);
   double least = Infinity;
-  for (Id i = 0; i < closing.count; ++i)
+  for (const std::array<Id, 3>& t : closing.triangles)
   {
-    const std::array<Id, 3>& t = closing.triangles[i];
     least = std::min(least, leastAngle(p[t[0]], p[t[1]], p[t[2]]));
   }
   return least;
+}
+
+Id DeviationRules::edgeToSplit(Id leaf)
+{
+  if (this->triangles_.pointsOnEdges(leaf) == 0)
+  {
+    return NoId;
+  }
+  const Id longest = this->triangles_.ensureEdge(leaf, this->triangles_.longestEdge(leaf));
+  if (this->triangles_.splitEdges(leaf) == 2 && !this->triangles_.isSplit(longest))
+  {
+    return longest; // no strip runs between the other two
+  }
+  const Id face = this->triangles_.faceOf(leaf);
+  if (this->mayClose(leaf))
+  {
+    return NoId;
+  }
+  const RedGreenMesh::Closing closing = this->triangles_.closing(leaf, 0);
+  const std::vector<Vec2> places = this->placesOf(closing, face);
+  const double allowed = LeastAngleFraction * this->leastAngleOf(face);
+  for (const std::array<Id, 3>& t : closing.triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Id begin = t[k];
+      const Id apex = t[(k + 2) % 3];
+      if (closing.edgeBetween(begin, t[(k + 1) % 3]) != NoId &&
+        leastAngle(places[t[0]], places[t[1]], places[t[2]]) < allowed)
+      {
+        const Id edge = partToSplit(places, begin, apex);
+        if (edge != NoId)
+        {
+          return closing.edges[edge];
+        }
+      }
+    }
+  }
+  return NoId;
 }
 
 }

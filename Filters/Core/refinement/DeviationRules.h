@@ -5,6 +5,8 @@
 #include "refinement/RedGreenClosure.h"
 #include "refinement/RefinementWorkers.h"
 
+#include <vector>
+
 namespace geodesic
 {
 
@@ -15,6 +17,10 @@ namespace geodesic
 ///
 /// A part's angle is too small if it is under 14 degrees and under 0.6 of the input face's smallest
 /// angle; if the edge is far over the tolerance, under 3 degrees.
+///
+/// Thin leaves do not restrict where an edge is split. If a triangle of a strip has an angle under
+/// 0.6 of the input face's smallest, points on one side of the strip are much closer than on the
+/// other; then the longer part of an edge there is split, too.
 class DeviationRules : public SplitRules
 {
 public:
@@ -30,6 +36,8 @@ public:
   RedGreenMesh::Placement place(Id edge) override;
   /// Whether the leaf has a closing with good shapes.
   bool mayClose(Id leaf) override;
+  /// The longer of two parts of edges whose lengths are too different for good shapes.
+  Id edgeToSplit(Id leaf) override;
 
   /// The smallest angle allowed in the parts of a face if an edge with this deviation is split.
   double allowedAngle(Id face, double deviation) const;
@@ -40,6 +48,8 @@ public:
 
 private:
   double weightOf(Id edge) const;
+  double leastAngleOf(Id face) const;
+  std::vector<Vec2> placesOf(const RedGreenMesh::Closing& closing, Id face) const;
   double smallestAngleOfFour(Id triangle, Id splitEdge, double weight) const;
 
   RedGreenMesh& triangles_;

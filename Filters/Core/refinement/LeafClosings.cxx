@@ -29,13 +29,7 @@ void LeafClosings::measureEdges(const std::vector<Id>& leaves)
     for (Id k = 0; k < 3; ++k)
     {
       const Id edge = this->triangles_.ensureEdge(leaf, k);
-      edges.push_back(edge);
-      if (this->triangles_.isSplit(edge))
-      {
-        const Id halves = this->triangles_.edgeData(edge).halves;
-        edges.push_back(halves);
-        edges.push_back(halves + 1);
-      }
+      this->triangles_.forEachPartOf(edge, [&edges](Id part) { edges.push_back(part); });
     }
   }
   this->workers_.measure(edges);
@@ -43,7 +37,7 @@ void LeafClosings::measureEdges(const std::vector<Id>& leaves)
 
 LeafClosings::Check LeafClosings::findBest(RefinementWorker& worker, Id leaf) const
 {
-  const Id ways = RedGreenMesh::waysToClose(this->triangles_.splitEdges(leaf));
+  const Id ways = this->triangles_.waysToClose(leaf);
   if (ways == 1)
   {
     return this->check(worker, leaf, 0, false);
@@ -80,9 +74,9 @@ LeafClosings::Check LeafClosings::check(RefinementWorker& worker, Id leaf, Id wa
   const RedGreenMesh::Closing closing = this->triangles_.closing(leaf, way);
   Check worst;
   worst.way = way;
-  for (Id i = 0; i < closing.count; ++i)
+  for (const std::array<Id, 3>& triangle : closing.triangles)
   {
-    const Check one = this->checkTriangle(worker, face, closing, i, tight);
+    const Check one = this->checkTriangle(worker, face, closing, triangle, tight);
     worst.bound = std::max(worst.bound, one.bound);
     worst.sample = std::max(worst.sample, one.sample);
     worst.limit = std::min(worst.limit, one.limit);
@@ -96,9 +90,8 @@ LeafClosings::Check LeafClosings::check(RefinementWorker& worker, Id leaf, Id wa
 // Refinement ends whatever rounding does: distances change by no more than the length moved, so a
 // triangle as small as the tolerance passes.
 LeafClosings::Check LeafClosings::checkTriangle(RefinementWorker& worker, const FaceDistance& face,
-  const RedGreenMesh::Closing& closing, Id number, bool tight) const
+  const RedGreenMesh::Closing& closing, const std::array<Id, 3>& t, bool tight) const
 {
-  const std::array<Id, 3>& t = closing.triangles[number];
   LinearPiece linear;
   double largest = 0.0;
   double difference = 0.0;
@@ -113,9 +106,10 @@ LeafClosings::Check LeafClosings::checkTriangle(RefinementWorker& worker, const 
     difference = std::max(difference, std::abs(linear.values[k] - distance));
     // The side runs along an edge of the mesh or across the leaf.
     const Id end = t[(k + 1) % 3];
-    if (end == (t[k] + 1) % closing.size)
+    const Id edge = closing.edgeBetween(t[k], end);
+    if (edge != NoId)
     {
-      onEdges.widen(this->workers_.deviation(closing.edges[t[k]]));
+      onEdges.widen(this->workers_.deviation(edge));
     }
     else
     {

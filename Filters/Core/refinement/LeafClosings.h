@@ -56,7 +56,7 @@ public:
 
 private:
   Check checkTriangle(RefinementWorker& worker, const FaceDistance& face,
-    const RedGreenMesh::Closing& closing, Id number, bool tight) const;
+    const RedGreenMesh::Closing& closing, const std::array<Id, 3>& t, bool tight) const;
   void measureEdges(const std::vector<Id>& leaves);
   Check findBest(RefinementWorker& worker, Id leaf) const;
 

@@ -134,6 +134,22 @@ void RedGreenClosure::splitIntoFour(Id triangle)
   }
 }
 
+void RedGreenClosure::splitInside(Id triangle)
+{
+  if (!this->mesh_.isThin(triangle))
+  {
+    this->splitIntoFour(triangle);
+  }
+  else if (this->mesh_.pointsOnEdges(triangle) > 0)
+  {
+    this->mesh_.divide(triangle);
+  }
+  else
+  {
+    this->split(this->mesh_.ensureEdge(triangle, this->mesh_.longestEdge(triangle)));
+  }
+}
+
 void RedGreenClosure::close()
 {
   constexpr int rounds = 2;
@@ -144,8 +160,9 @@ void RedGreenClosure::close()
     ++this->round_;
     for (const Id triangle : changed)
     {
-      if (this->mesh_.isLeaf(triangle) && this->mesh_.splitEdges(triangle) == 1 &&
-        this->waiting_.count(triangle) == 0 && !this->rules_.mayClose(triangle))
+      if (this->mesh_.isLeaf(triangle) && !this->mesh_.isThin(triangle) &&
+        this->mesh_.splitEdges(triangle) == 1 && this->waiting_.count(triangle) == 0 &&
+        !this->rules_.mayClose(triangle))
       {
         this->splitIntoFour(triangle);
       }
@@ -156,27 +173,47 @@ void RedGreenClosure::close()
   this->changed_.insert(this->changed_.end(), changed.begin(), changed.end());
 }
 
-// The loop ends: it splits edges only of triangles that already have a split edge, so it adds no
-// level of parts to the existing ones.
+// The loop ends: it splits into four only triangles that already have a split edge, so it adds no
+// level of parts to the existing ones; and the rules end the splits of thin leaves. These are
+// examined when there is nothing else to do, as each of several splits touches them.
 void RedGreenClosure::closeTouched(std::vector<Id>& changed)
 {
-  for (Id triangle = this->mesh_.takeTouched(); triangle != NoId;
-       triangle = this->mesh_.takeTouched())
+  std::vector<Id> thin;
+  do
   {
-    if (!this->mesh_.isLeaf(triangle))
+    for (Id triangle = this->mesh_.takeTouched(); triangle != NoId;
+         triangle = this->mesh_.takeTouched())
     {
-      continue;
+      if (!this->mesh_.isLeaf(triangle))
+      {
+        continue;
+      }
+      if (this->mesh_.isThin(triangle))
+      {
+        thin.push_back(triangle);
+      }
+      else if (this->waiting_.count(triangle) != 0 || this->mesh_.isSplitTwice(triangle) ||
+        (this->mesh_.splitEdges(triangle) > 1 && !this->rules_.mayClose(triangle)))
+      {
+        this->splitIntoFour(triangle);
+      }
+      else
+      {
+        changed.push_back(triangle);
+      }
     }
-    if (this->waiting_.count(triangle) != 0 || this->mesh_.isSplitTwice(triangle) ||
-      (this->mesh_.splitEdges(triangle) > 1 && !this->rules_.mayClose(triangle)))
+    keepLeaves(this->mesh_, thin);
+    for (const Id triangle : thin)
     {
-      this->splitIntoFour(triangle);
-    }
-    else
-    {
+      const Id edge = this->rules_.edgeToSplit(triangle);
+      if (edge != NoId)
+      {
+        this->split(edge);
+      }
       changed.push_back(triangle);
     }
-  }
+    thin.clear();
+  } while (this->mesh_.isAnyTouched());
   keepLeaves(this->mesh_, changed);
 }
 

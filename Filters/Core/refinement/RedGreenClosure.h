@@ -22,11 +22,14 @@ public:
   virtual RedGreenMesh::Placement place(Id edge) = 0;
   /// Whether a leaf with split edges, each split once, may stay a leaf.
   virtual bool mayClose(Id triangle) = 0;
+  /// The part of a thin leaf's edges that must be split before the leaf can be closed; NoId if
+  /// there is none.
+  virtual Id edgeToSplit(Id triangle) = 0;
 };
 
 /// The loop of splitting and closing: splits edges of a mesh and whatever must be split in
-/// consequence. Afterwards no leaf has an edge that was split twice, or split edges with which the
-/// rules forbid closing it.
+/// consequence. Afterwards no leaf has split edges with which the rules forbid closing it, and only
+/// thin leaves have edges that were split twice.
 ///
 /// If ranks share the surface, one rank decides where an edge of faces of several ranks, and in
 /// turn each of its halves, is split: the lowest rank that owns a refined face there. It tells the
@@ -47,10 +50,14 @@ public:
   bool split(Id edge);
   /// Splits a leaf into four, together with its unsplit edges.
   void splitIntoFour(Id triangle);
+  /// Makes new edges inside a leaf: splits it into four or, if it is thin, divides it or splits its
+  /// longest edge.
+  void splitInside(Id triangle);
 
   /// Splits leaves into four: those with an edge that was split twice; those with two or more split
   /// edges that must not be closed; and, in two rounds, bisected ones that must not be closed.
-  /// Whatever the second round bisects stays, so that splitting does not spread.
+  /// Whatever the second round bisects stays, so that splitting does not spread. Splits the edges
+  /// of thin leaves as the rules require.
   void close();
 
   /// A collective call of all ranks, which makes the splits that other ranks have decided or ask

@@ -4,6 +4,8 @@
 #include "mesh/HalfedgeFrame.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace geodesic
 {
@@ -34,6 +36,45 @@ Vec2 RedGreenMesh::inPlane(Id point, Id face) const
     barycentric(this->mesh_, this->place(point), face));
 }
 
+std::array<Vec2, 3> RedGreenMesh::inPlane(Id face, const Triangle& corners) const
+{
+  return { this->inPlane(corners[0], face), this->inPlane(corners[1], face),
+    this->inPlane(corners[2], face) };
+}
+
+namespace
+{
+
+double squaredNorm(Vec2 v)
+{
+  return dot(v, v);
+}
+
+Id longestSide(const std::array<Vec2, 3>& corners)
+{
+  Id longest = 0;
+  double length2 = -1.0;
+  for (Id k = 0; k < 3; ++k)
+  {
+    const double ofSide = squaredNorm(corners[(k + 1) % 3] - corners[k]);
+    longest = ofSide > length2 ? k : longest;
+    length2 = std::max(length2, ofSide);
+  }
+  return longest;
+}
+
+// A triangle is thin if its height over the longest side is under this fraction of that side.
+constexpr double ThinHeight = 0.25;
+
+bool areThin(const std::array<Vec2, 3>& corners)
+{
+  const Id k = longestSide(corners);
+  const Vec2 side = corners[(k + 1) % 3] - corners[k];
+  return cross(side, corners[(k + 2) % 3] - corners[k]) < ThinHeight * squaredNorm(side);
+}
+
+} // anonymous namespace
+
 Id RedGreenMesh::ensureEdge(Id triangle, Id k)
 {
   const Id existing = this->existingEdge(triangle, k);
@@ -51,7 +92,9 @@ Id RedGreenMesh::ensureEdge(Id triangle, Id k)
     if (this->isWhole(face))
     {
       this->redOfFace_[face] = static_cast<Id>(this->redFaces_.size());
-      this->redFaces_.push_back({ face, this->mesh_.triangle(face) });
+      const Triangle& corners = this->mesh_.triangle(face);
+      this->redFaces_.push_back({ face, corners });
+      this->redFaces_.back().isThin = areThin(this->inPlane(face, corners));
     }
     this->red(face).edges[TriangleMesh::indexInFace(around)] = edge;
     around = this->mesh_.nextSibling(around);
@@ -63,6 +106,35 @@ Id RedGreenMesh::addEdge(Id a, Id b, Id parent, Id halfedge, Id face)
 {
   this->edges_.push_back({ { a, b }, NoId, NoId, parent, halfedge, face });
   return static_cast<Id>(this->edges_.size() - 1);
+}
+
+bool RedGreenMesh::isThin(Id triangle) const
+{
+  const Red* red = this->find(triangle);
+  return red ? red->isThin : areThin(this->inPlane(triangle, this->corners(triangle)));
+}
+
+Id RedGreenMesh::longestEdge(Id triangle) const
+{
+  return longestSide(this->inPlane(this->faceOf(triangle), this->corners(triangle)));
+}
+
+Id RedGreenMesh::pointsOnEdges(Id triangle) const
+{
+  return this->pointsOn(this->existingEdge(triangle, 0)) +
+    this->pointsOn(this->existingEdge(triangle, 1)) +
+    this->pointsOn(this->existingEdge(triangle, 2));
+}
+
+// The number of points between the ends of an edge.
+Id RedGreenMesh::pointsOn(Id edge) const
+{
+  if (!this->isSplit(edge))
+  {
+    return 0;
+  }
+  const Id halves = this->edges_[edge].halves;
+  return 1 + this->pointsOn(halves) + this->pointsOn(halves + 1);
 }
 
 Id RedGreenMesh::splitEdges(Id triangle) const
@@ -92,37 +164,58 @@ constexpr std::array<std::array<std::array<Id, 3>, 4>, 6> TrianglesOfPolygon = {
 
 } // anonymous namespace
 
-RedGreenMesh::Closing RedGreenMesh::closing(Id triangle, Id way) const
+Id RedGreenMesh::waysToClose(Id triangle) const
 {
   const Id splits = this->splitEdges(triangle);
+  return splits < 2 || this->isSplitTwice(triangle) ? 1 : 2 * splits - 2;
+}
+
+RedGreenMesh::Closing RedGreenMesh::closing(Id triangle, Id way) const
+{
+  const Triangle c = this->corners(triangle);
+  const Id face = this->faceOf(triangle);
+  const Id splits = this->splitEdges(triangle);
+  const bool isStrip = this->isSplitTwice(triangle);
   Id begin = splits == 3 ? (way + 2) % 3 : 0;
-  while (splits > 0 && splits < 3 &&
+  if (isStrip)
+  {
+    begin = this->longestEdge(triangle);
+  }
+  while (splits > 0 && splits < 3 && !isStrip &&
     !(this->isSplit(this->existingEdge(triangle, begin)) &&
       (splits == 1 || this->isSplit(this->existingEdge(triangle, (begin + 1) % 3)))))
   {
     ++begin;
   }
   Closing closing;
-  closing.count = 1 + splits;
-  closing.triangles = TrianglesOfPolygon[splits < 2 ? splits : 2 * splits - (way == 0 ? 2 : 1)];
-  const auto add = [&closing](Id point, Id edge)
-  {
-    closing.points[closing.size] = point;
-    closing.edges[closing.size] = edge;
-    ++closing.size;
-  };
-  const Triangle c = this->corners(triangle);
   for (Id i = 0; i < 3; ++i)
   {
     const Id k = (begin + i) % 3;
-    const Id edge = this->existingEdge(triangle, k);
-    add(c[k], this->isSplit(edge) ? this->halfAt(edge, c[k]) : edge);
-    if (this->isSplit(edge))
-    {
-      add(this->edges_[edge].split, this->halfAt(edge, c[(k + 1) % 3]));
-    }
+    this->addAlong(closing, c[k], this->existingEdge(triangle, k));
   }
+  if (isStrip)
+  {
+    this->closeStrip(closing, face, { c[begin], c[(begin + 1) % 3], c[(begin + 2) % 3] });
+    return closing;
+  }
+  const auto& triangles = TrianglesOfPolygon[splits < 2 ? splits : 2 * splits - (way == 0 ? 2 : 1)];
+  closing.triangles.assign(triangles.begin(), triangles.begin() + 1 + splits);
   return closing;
+}
+
+// Appends the points from one end of an edge to before the other end.
+void RedGreenMesh::addAlong(Closing& closing, Id begin, Id edge) const
+{
+  if (!this->isSplit(edge))
+  {
+    closing.points.push_back(begin);
+    closing.edges.push_back(edge);
+    return;
+  }
+  const Edge& e = this->edges_[edge];
+  const Id end = e.ends[0] == begin ? e.ends[1] : e.ends[0];
+  this->addAlong(closing, begin, this->halfAt(edge, begin));
+  this->addAlong(closing, e.split, this->halfAt(edge, end));
 }
 
 SurfacePoint RedGreenMesh::between(const Edge& edge, double weight) const
@@ -139,6 +232,93 @@ SurfacePoint RedGreenMesh::between(const Edge& edge, double weight) const
   const std::array<double, 3> from = barycentric(this->mesh_, a, edge.face);
   const std::array<double, 3> to = barycentric(this->mesh_, b, edge.face);
   return SurfacePoint::inFace(edge.face, mean(from[1], to[1]), mean(from[2], to[2]));
+}
+
+namespace
+{
+
+/// The strip of triangles between the two chains of points from one end of a polygon's longest side
+/// to the other.
+class Strip
+{
+public:
+  /// \param places of the polygon's points, which begin with the longest side.
+  /// \param sideEnd the number of the point where the longest side ends.
+  /// \param apex the number of the third corner.
+  Strip(const std::vector<Vec2>& places, Id sideEnd, Id apex)
+    : places_(places)
+    , size_(static_cast<Id>(places.size()))
+    , sideEnd_(sideEnd)
+    , apex_(apex)
+  {
+  }
+
+  /// Calls emit(triangle) with numbers of the polygon's points.
+  template <typename Emit>
+  void close(const Emit& emit)
+  {
+    Id a = 0;               // along the longest side
+    Id b = this->size_ - 1; // along the other sides, backwards
+    while (b > a + 1)
+    {
+      if (this->takesA(a, b))
+      {
+        emit({ a, a + 1, b });
+        ++a;
+      }
+      else
+      {
+        emit({ a, b - 1, b });
+        --b;
+      }
+    }
+  }
+
+private:
+  // Three points of one straight side are no triangle.
+  bool takesA(Id a, Id b) const
+  {
+    if (b - 1 == this->sideEnd_)
+    {
+      return true;
+    }
+    if (a == this->sideEnd_)
+    {
+      return false;
+    }
+    if (a == 0 && b > this->apex_)
+    {
+      return true;
+    }
+    if (a + 1 == this->sideEnd_ && this->apex_ != this->sideEnd_ + 1)
+    {
+      return false;
+    }
+    return squaredNorm(this->places_[a + 1] - this->places_[b]) <=
+      squaredNorm(this->places_[a] - this->places_[b - 1]);
+  }
+
+  const std::vector<Vec2>& places_;
+  Id size_;
+  Id sideEnd_;
+  Id apex_;
+};
+
+} // anonymous namespace
+
+void RedGreenMesh::closeStrip(Closing& closing, Id face, const Triangle& corners) const
+{
+  std::vector<Vec2> places;
+  Id sideEnd = 0;
+  Id apex = 0;
+  for (Id i = 0; i < closing.size(); ++i)
+  {
+    places.push_back(this->inPlane(closing.points[i], face));
+    sideEnd = closing.points[i] == corners[1] ? i : sideEnd;
+    apex = closing.points[i] == corners[2] ? i : apex;
+  }
+  Strip(places, sideEnd, apex)
+    .close([&closing](const std::array<Id, 3>& t) { closing.triangles.push_back(t); });
 }
 
 void RedGreenMesh::split(Id id, const Placement& placement)
@@ -160,16 +340,12 @@ void RedGreenMesh::split(Id id, const Placement& placement)
       const bool isOutput = face >= this->firstFace_ && face < this->endOfFaces_;
       this->numberOfTriangles_ += isOutput && this->isFrozen(face) ? 1 : 0;
     });
-  this->forEachLeafAt(id,
+  this->forEachLeafAround(id,
     [this](Id triangle)
     {
       ++this->numberOfTriangles_;
       this->touched_.push_back(triangle);
     });
-  if (edge.parent != NoId)
-  {
-    this->forEachLeafAt(edge.parent, [this](Id triangle) { this->touched_.push_back(triangle); });
-  }
 }
 
 Id RedGreenMesh::halfAt(Id edge, Id end) const
@@ -182,6 +358,7 @@ Id RedGreenMesh::addPart(Id face, const Triangle& corners, const std::array<Id, 
 {
   const Id index = static_cast<Id>(this->parts_.size());
   Red part{ face, corners, edges };
+  part.isThin = areThin(this->inPlane(face, corners));
   for (Id k = 0; k < 3; ++k)
   {
     Edge& edge = this->edges_[edges[k]];
@@ -191,7 +368,7 @@ Id RedGreenMesh::addPart(Id face, const Triangle& corners, const std::array<Id, 
   this->parts_.push_back(part);
   const Id triangle = this->faces_ + index;
   this->touched_.push_back(triangle);
-  this->numberOfTriangles_ += 1 + this->splitEdges(triangle);
+  this->numberOfTriangles_ += 1 + this->pointsOnEdges(triangle);
   return index;
 }
 
@@ -211,7 +388,7 @@ void RedGreenMesh::splitIntoFour(Id triangle)
   {
     inner[k] = this->addEdge(m[(k + 2) % 3], m[k], NoId, NoId, face);
   }
-  this->numberOfTriangles_ -= 4;
+  this->numberOfTriangles_ -= 1 + this->pointsOnEdges(triangle);
   const Id first = this->addPart(
     face, { c[0], m[0], m[2] }, { this->halfAt(e[0], c[0]), inner[0], this->halfAt(e[2], c[0]) });
   this->addPart(
@@ -220,6 +397,38 @@ void RedGreenMesh::splitIntoFour(Id triangle)
     face, { m[2], m[1], c[2] }, { inner[2], this->halfAt(e[1], c[2]), this->halfAt(e[2], c[2]) });
   this->addPart(face, { m[0], m[1], m[2] }, { inner[1], inner[2], inner[0] });
   this->red(triangle).parts = first;
+  this->red(triangle).numberOfParts = 4;
+}
+
+void RedGreenMesh::divide(Id triangle)
+{
+  const Id face = this->faceOf(triangle);
+  const Closing closing = this->closing(triangle, this->wayOf(triangle));
+  const Id first = static_cast<Id>(this->parts_.size());
+  this->numberOfTriangles_ -= 1 + this->pointsOnEdges(triangle);
+  std::map<std::pair<Id, Id>, Id> across;
+  for (const std::array<Id, 3>& t : closing.triangles)
+  {
+    std::array<Id, 3> edges;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Id end = t[(k + 1) % 3];
+      edges[k] = closing.edgeBetween(t[k], end);
+      if (edges[k] == NoId)
+      {
+        const auto [found, isNew] = across.emplace(std::minmax(t[k], end), this->numberOfEdges());
+        edges[k] = found->second;
+        if (isNew)
+        {
+          this->addEdge(closing.points[t[k]], closing.points[end], NoId, NoId, face);
+        }
+      }
+    }
+    this->addPart(
+      face, { closing.points[t[0]], closing.points[t[1]], closing.points[t[2]] }, edges);
+  }
+  this->red(triangle).parts = first;
+  this->red(triangle).numberOfParts = static_cast<Id>(closing.triangles.size());
 }
 
 bool RedGreenMesh::isSplitTwice(Id triangle) const

@@ -22,6 +22,12 @@ namespace geodesic
 /// with two or three split edges, into three or four triangles whose inner edges may be flipped.
 /// These green triangles are not stored, and so they are never split again.
 ///
+/// A thin triangle is much longer than high. Four parts would halve its short edges, too, which
+/// need no points; k halvings of the long ones would give 4^k parts. So a thin leaf may have any
+/// number of points on its edges, and a strip of triangles between its long edges closes it: about
+/// two for each point of one edge. If that does not suffice, the strip's triangles are stored as
+/// the leaf's parts, which are refined in turn.
+///
 /// This class is the structure with its single operations. RedGreenClosure decides which edges are
 /// split, and that every leaf can be closed.
 ///
@@ -68,13 +74,19 @@ public:
   /// The output triangles of a leaf. A leaf with split edges is a polygon of corners and splits.
   struct Closing
   {
-    Id size = 0;
     /// The polygon's points, and the edge from each to the next (NoId if not made yet).
-    std::array<Id, 6> points;
-    std::array<Id, 6> edges;
+    std::vector<Id> points;
+    std::vector<Id> edges;
     /// Indices into the polygon.
-    Id count = 0;
-    std::array<std::array<Id, 3>, 4> triangles;
+    std::vector<std::array<Id, 3>> triangles;
+
+    Id size() const { return static_cast<Id>(this->points.size()); }
+    /// The edge of the mesh from one point to another, both given as indices; NoId if the way
+    /// between them crosses the leaf.
+    Id edgeBetween(Id from, Id to) const
+    {
+      return to == (from + 1) % this->size() ? this->edges[from] : NoId;
+    }
   };
 
   /// \param frozen faces that are not refined, but are closed if a neighbour splits one of their
@@ -127,13 +139,21 @@ public:
   }
   Id numberOfEdges() const { return static_cast<Id>(this->edges_.size()); }
   bool isSplit(Id edge) const { return edge != NoId && this->edges_[edge].split != NoId; }
+  /// Whether a triangle is much longer than high, so that it is never split into four.
+  bool isThin(Id triangle) const;
+  /// The corner at which the longest edge of a triangle begins.
+  Id longestEdge(Id triangle) const;
   /// The number of a leaf's split edges.
   Id splitEdges(Id triangle) const;
+  /// The number of points on a leaf's edges.
+  Id pointsOnEdges(Id triangle) const;
   /// Whether one of its edges is split and a half of that edge, too.
   bool isSplitTwice(Id triangle) const;
-  /// The number of ways to cut a leaf with this many split edges; they differ by flips of its inner
-  /// edges.
-  static Id waysToClose(Id splitEdges) { return splitEdges < 2 ? 1 : 2 * splitEdges - 2; }
+  /// The number of ways to cut a leaf; they differ by flips of its inner edges. There is one way to
+  /// close it by a strip.
+  Id waysToClose(Id triangle) const;
+  /// A leaf with an edge that is split twice is closed by a strip between the longest edge, with
+  /// which its polygon begins, and the other two; each triangle has the shorter of two diagonals.
   Closing closing(Id triangle, Id way) const;
   /// The way in which the output cuts a leaf.
   Id wayOf(Id triangle) const
@@ -179,14 +199,57 @@ public:
     }
   }
 
+  /// Visits the leaves (except frozen ones) with an edge of which this edge is the whole or a part.
+  template <typename Visitor>
+  void forEachLeafAround(Id edge, Visitor&& visit) const
+  {
+    for (Id e = edge; e != NoId; e = this->edges_[e].parent)
+    {
+      this->forEachLeafAt(e, visit);
+    }
+  }
+
+  /// Visits an edge and all parts of which it consists.
+  template <typename Visitor>
+  void forEachPartOf(Id edge, Visitor&& visit) const
+  {
+    visit(edge);
+    if (this->isSplit(edge))
+    {
+      const Id halves = this->edges_[edge].halves;
+      this->forEachPartOf(halves, visit);
+      this->forEachPartOf(halves + 1, visit);
+    }
+  }
+
+  /// Visits the parts of a leaf's edges between neighbouring points. Makes edges if necessary.
+  template <typename Visitor>
+  void forEachPartOfEdges(Id leaf, Visitor&& visit)
+  {
+    for (Id k = 0; k < 3; ++k)
+    {
+      this->forEachPartOf(this->ensureEdge(leaf, k),
+        [&](Id edge)
+        {
+          if (!this->isSplit(edge))
+          {
+            visit(edge);
+          }
+        });
+    }
+  }
+
   /// Splits an edge that is not split yet.
   void split(Id edge, const Placement& placement);
   /// Splits a leaf whose three edges are split into four.
   void splitIntoFour(Id triangle);
+  /// Divides a leaf with split edges into the triangles that close it.
+  void divide(Id triangle);
   /// Takes a triangle that is new, or one of whose edges (or halves of edges) was split since the
   /// triangle was last taken; NoId if there is none. The order is last first. A triangle may be
   /// returned several times, and may have ceased to be a leaf.
   Id takeTouched();
+  bool isAnyTouched() const { return !this->touched_.empty(); }
 
   /// The number of output triangles, including those that cut the triangles beside the mesh.
   std::uint64_t numberOfTriangles() const { return this->numberOfTriangles_; }
@@ -228,17 +291,17 @@ public:
     const Id parts = this->partsOf(triangle);
     if (parts != NoId)
     {
-      for (Id i = 0; i < 4; ++i)
+      const Id end = parts + this->find(triangle)->numberOfParts;
+      for (Id part = parts; part < end; ++part)
       {
-        this->closeTriangle(this->faces_ + parts + i, emit);
+        this->closeTriangle(this->faces_ + part, emit);
       }
       return;
     }
     const Id face = this->faceOf(triangle);
     const Closing closing = this->closing(triangle, this->wayOf(triangle));
-    for (Id i = 0; i < closing.count; ++i)
+    for (const std::array<Id, 3>& t : closing.triangles)
     {
-      const std::array<Id, 3>& t = closing.triangles[i];
       emit(face, Triangle{ closing.points[t[0]], closing.points[t[1]], closing.points[t[2]] });
     }
   }
@@ -253,7 +316,9 @@ private:
     /// In a part, the next corner at which each of the edges begins.
     std::array<Id, 3> nextCorner = {};
     Id parts = NoId;
+    Id numberOfParts = 0;
     Id way = 0;
+    bool isThin = false;
   };
 
   /// Nothing for an input face without edges; most have none.
@@ -279,6 +344,10 @@ private:
   Id addEdge(Id a, Id b, Id parent, Id halfedge, Id face);
   SurfacePoint between(const Edge& edge, double weight) const;
   Id halfAt(Id edge, Id end) const;
+  Id pointsOn(Id edge) const;
+  void addAlong(Closing& closing, Id begin, Id edge) const;
+  void closeStrip(Closing& closing, Id face, const Triangle& corners) const;
+  std::array<Vec2, 3> inPlane(Id face, const Triangle& corners) const;
   Id addPart(Id face, const Triangle& corners, const std::array<Id, 3>& edges);
   /// Bisects at the longest split edge first, for the shapes.
   template <typename Emit>

@@ -15,12 +15,12 @@
 namespace geodesic
 {
 
-/// A leaf over the tolerance, with its number of split edges at that time.
+/// A leaf over the tolerance, with the number of points on its edges at that time.
 struct Violation
 {
   double error;
   Id triangle;
-  Id splitEdges;
+  Id pointsOnEdges;
   double limit;
   bool operator<(const Violation& other) const
   {
@@ -43,13 +43,13 @@ public:
 
   void push(double error, Id leaf, double limit)
   {
-    this->waiting_.push({ error, leaf, this->triangles_.splitEdges(leaf), limit });
+    this->waiting_.push({ error, leaf, this->triangles_.pointsOnEdges(leaf), limit });
   }
   /// Whether the leaf was neither split nor assessed again since.
   bool isOpen(const Violation& violation) const
   {
     return this->triangles_.isLeaf(violation.triangle) &&
-      this->triangles_.splitEdges(violation.triangle) == violation.splitEdges;
+      this->triangles_.pointsOnEdges(violation.triangle) == violation.pointsOnEdges;
   }
 
   /// A collective call of all ranks, which makes the next batch. \returns false if no rank has any

@@ -55,7 +55,7 @@ public:
 
   std::vector<Way> ways()
   {
-    const Id count = geodesic::RedGreenMesh::waysToClose(this->triangles_.splitEdges(0));
+    const Id count = this->triangles_.waysToClose(0);
     std::vector<Way> ways;
     for (Id way = 0; way < count; ++way)
     {

@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 using namespace geodesictest;
@@ -33,9 +34,15 @@ public:
   }
   RedGreenMesh::Placement place(Id) override { return { 0.5, 0.0 }; }
   bool mayClose(Id triangle) override { return this->mayClose_(triangle); }
+  Id edgeToSplit(Id triangle) override { return this->edgeToSplit_(triangle); }
+  void setEdgeToSplit(std::function<Id(Id)> edgeToSplit)
+  {
+    this->edgeToSplit_ = std::move(edgeToSplit);
+  }
 
 private:
   std::function<bool(Id)> mayClose_;
+  std::function<Id(Id)> edgeToSplit_ = [](Id) { return NoId; };
 };
 
 /// A mesh under refinement whose edges are split in the middle, without measuring anything.
@@ -54,6 +61,14 @@ public:
   {
   }
 
+  ByHand(
+    const std::vector<geodesic::Vec3>& points, const std::vector<geodesic::Triangle>& triangles)
+    : mesh_(points, triangles)
+    , triangles_(
+        geodesic::MeshPartition(this->mesh_), std::vector<std::uint8_t>(triangles.size(), 0))
+  {
+  }
+
   RedGreenMesh& triangles() { return this->triangles_; }
   Id edge(Id triangle, Id k) { return this->triangles_.ensureEdge(triangle, k); }
 
@@ -61,6 +76,7 @@ public:
   std::vector<Id> split(const std::vector<Id>& edges, const std::function<bool(Id)>& mayClose)
   {
     MiddleRules rules(mayClose);
+    rules.setEdgeToSplit([this](Id leaf) { return this->longestIfOnlyOthersAreSplit(leaf); });
     const geodesic::MeshPartition whole(this->mesh_);
     geodesic::RedGreenClosure closure(whole, this->triangles_, rules);
     for (const Id edge : edges)
@@ -140,6 +156,14 @@ public:
   }
 
 private:
+  Id longestIfOnlyOthersAreSplit(Id leaf)
+  {
+    const Id longest = this->edge(leaf, this->triangles_.longestEdge(leaf));
+    const bool isOnlyUnsplit =
+      this->triangles_.splitEdges(leaf) == 2 && !this->triangles_.isSplit(longest);
+    return isOnlyUnsplit ? longest : NoId;
+  }
+
   static std::vector<geodesic::Vec3> somePoints(Id count)
   {
     Random random(3);
@@ -299,7 +323,7 @@ TEST(RedGreen, WhatMayBeClosedIsPutOutInEveryWayAsAPartitionOfTheLeaf)
     }
     mesh.split(split, [](Id) { return true; });
     const Id splits = static_cast<Id>(edges.size());
-    const Id ways = RedGreenMesh::waysToClose(splits);
+    const Id ways = mesh.triangles().waysToClose(0);
     std::set<std::set<std::set<Id>>> different;
     for (Id way = 0; way < ways; ++way)
     {
@@ -379,6 +403,70 @@ TEST(RedGreen, AFrozenFaceIsClosedBetweenManyPointsOfItsThreeEdges)
       }
     }
     EXPECT_NEAR(covered, 1.0, 1e-13);
+  }
+}
+
+namespace
+{
+
+/// Checks that the output covers the only face once, with a corner at each point of its edges.
+void expectStrip(const ByHand& mesh, Id pointsOnEdges)
+{
+  EXPECT_EQ(mesh.count(), (Counts{ pointsOnEdges + 1 }));
+  double covered = 0.0;
+  for (const geodesic::Triangle& t : mesh.output())
+  {
+    const double part = mesh.fractionOf(0, t);
+    EXPECT_GT(part, 0.0) << "turned over or empty";
+    covered += part;
+  }
+  EXPECT_NEAR(covered, 1.0, 1e-13);
+  Id boundary = 0;
+  for (const auto& [ends, triangles] : mesh.around())
+  {
+    EXPECT_LE(triangles, 2u);
+    boundary += triangles == 1 ? 1 : 0;
+  }
+  EXPECT_EQ(boundary, pointsOnEdges + 3);
+}
+
+}
+
+TEST(RedGreen, AThinLeafIsClosedByAStripBetweenManyPointsOfItsEdgesAndCanBeDivided)
+{
+  for (std::uint64_t seed = 0; seed < 300; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const std::vector<geodesic::Vec3> corners = { { 0, 0, 0 }, { 1, 0, 0 },
+      { random.uniform(-0.2, 1.2), 0.1 * random.uniform(), 0 } };
+    ByHand mesh(corners, std::vector<geodesic::Triangle>{ { 0, 1, 2 } });
+    RedGreenMesh& triangles = mesh.triangles();
+    ASSERT_TRUE(triangles.isThin(0));
+    const auto splitSome = [&](Id leaf)
+    {
+      for (Id splits = random.between(1, 12); splits > 0; --splits)
+      {
+        std::vector<Id> parts;
+        triangles.forEachPartOfEdges(leaf, [&](Id edge) { parts.push_back(edge); });
+        mesh.split({ parts[random.below(parts.size())] });
+      }
+    };
+    splitSome(0);
+    const Id onEdges = triangles.pointsOnEdges(0);
+    expectStrip(mesh, onEdges);
+    const std::vector<geodesic::Triangle> before = mesh.output();
+    triangles.begin();
+    triangles.divide(0);
+    EXPECT_EQ(mesh.output(), before) << "each triangle is a part";
+    mesh.count();
+    const Id part = 1 + random.below(onEdges + 1);
+    mesh.split({ mesh.edge(part, 0) }, [](Id) { return true; });
+    EXPECT_GT(mesh.output().size(), before.size());
+    mesh.count();
+    triangles.rollBack();
+    EXPECT_EQ(mesh.output(), before);
+    expectStrip(mesh, onEdges);
   }
 }
 

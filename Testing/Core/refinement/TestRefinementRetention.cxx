@@ -289,7 +289,7 @@ TEST(KeptWindowsOfRandomMeshes, AFaceWithoutWindowsIsClosedBetweenManyPointsOfIt
   std::size_t facesWithMany = 0;
   for (const MeshKind& kind : meshKinds())
   {
-    for (const std::uint64_t seed : { 9125U, 9127U, 9132U, 9133U, 9136U })
+    for (const std::uint64_t seed : { 9110U, 9125U, 9127U, 9132U })
     {
       SCOPED_TRACE(std::string(kind.name) + ", seed " + std::to_string(seed));
       Random random(seed);
