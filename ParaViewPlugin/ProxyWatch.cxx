@@ -362,8 +362,9 @@ private:
     for (unsigned int i = 0; i < filter->GetNumberOfConsumers(); ++i)
     {
       vtkSMProxy* shown = filter->GetConsumerProxy(i);
-      vtkSMViewProxy* view =
-        shown->IsA("vtkSMRepresentationProxy") ? vtkSMViewProxy::FindView(shown) : nullptr;
+      const bool isSeen = shown->IsA("vtkSMRepresentationProxy") &&
+        vtkSMPropertyHelper(shown, "Visibility", true).GetAsInt() != 0;
+      vtkSMViewProxy* view = isSeen ? vtkSMViewProxy::FindView(shown) : nullptr;
       for (vtkSMSourceProxy* other : this->Filters)
       {
         if (view && other && other != filter && lines::isField(other) &&

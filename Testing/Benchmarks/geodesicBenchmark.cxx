@@ -339,7 +339,7 @@ std::vector<geodesic::SourceCurve> makeCurves(
     return geodesic::boundaryCurves(surface.mesh());
   }
   const std::vector<geodesic::PolyDataBlock> blocks =
-    geodesic::polyDataBlocks(source.curves, "the source");
+    geodesic::polyDataBlocks(source.curves, geodesic::PartName("the source"));
   geodesic::SourcePolylines read = geodesic::readSource(blocks, surface, true);
   const double precision = geodesic::coordinatePrecisionOf(blocks);
   geodesic::PolylineLocator(surface.partition)
@@ -472,8 +472,9 @@ EngineRun measureEngine(
   forgetPeakMemory();
   const std::uint64_t loaded = memory("VmRSS");
   Stopwatch watch;
-  const geodesic::PolyDataSurface surface = geodesic::readSurface(
-    geodesic::polyDataBlocks(mesh, "the surface"), {}, geodesic::OneRank::instance(), threads());
+  const geodesic::PolyDataSurface surface =
+    geodesic::readSurface(geodesic::polyDataBlocks(mesh, geodesic::PartName("the surface")), {},
+      geodesic::OneRank::instance(), threads());
   const double buildSeconds = watch.lap();
   const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
   const double sourceSeconds = watch.lap();
@@ -526,8 +527,9 @@ EngineRun measureEngine(
 void measureModel(
   const Options& options, vtkPolyData* mesh, const Source& source, std::ostream& json)
 {
-  const geodesic::PolyDataSurface surface = geodesic::readSurface(
-    geodesic::polyDataBlocks(mesh, "the surface"), {}, geodesic::OneRank::instance(), threads());
+  const geodesic::PolyDataSurface surface =
+    geodesic::readSurface(geodesic::polyDataBlocks(mesh, geodesic::PartName("the surface")), {},
+      geodesic::OneRank::instance(), threads());
   const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
   TaskModel model(options.model);
   geodesic::FrontOptions frontOptions = frontOptionsFor(options);
