@@ -74,13 +74,35 @@ LeafClosings::Check LeafClosings::check(RefinementWorker& worker, Id leaf, Id wa
   const RedGreenMesh::Closing closing = this->triangles_.closing(leaf, way);
   Check worst;
   worst.way = way;
+  if (this->triangles_.isThin(leaf) && !tight)
+  {
+    // If the edges need more points, the triangles between them have yet to be found.
+    worst.sample = this->worstPartOfEdges(closing);
+    if (worst.sample > this->tolerance_)
+    {
+      worst.passed = false;
+      worst.limit = this->tolerance_;
+      return worst;
+    }
+  }
+  Across across;
   for (const std::array<Id, 3>& triangle : closing.triangles)
   {
-    const Check one = this->checkTriangle(worker, face, closing, triangle, tight);
+    const Check one = this->checkTriangle(worker, face, closing, triangle, across, tight);
     worst.bound = std::max(worst.bound, one.bound);
     worst.sample = std::max(worst.sample, one.sample);
     worst.limit = std::min(worst.limit, one.limit);
     worst.passed = worst.passed && one.passed;
+  }
+  return worst;
+}
+
+double LeafClosings::worstPartOfEdges(const RedGreenMesh::Closing& closing) const
+{
+  double worst = 0.0;
+  for (const Id edge : closing.edges)
+  {
+    worst = std::max(worst, this->workers_.deviation(edge).largest());
   }
   return worst;
 }
@@ -90,7 +112,8 @@ LeafClosings::Check LeafClosings::check(RefinementWorker& worker, Id leaf, Id wa
 // Refinement ends whatever rounding does: distances change by no more than the length moved, so a
 // triangle as small as the tolerance passes.
 LeafClosings::Check LeafClosings::checkTriangle(RefinementWorker& worker, const FaceDistance& face,
-  const RedGreenMesh::Closing& closing, const std::array<Id, 3>& t, bool tight) const
+  const RedGreenMesh::Closing& closing, const std::array<Id, 3>& t, Across& across,
+  bool tight) const
 {
   LinearPiece linear;
   double largest = 0.0;
@@ -114,8 +137,15 @@ LeafClosings::Check LeafClosings::checkTriangle(RefinementWorker& worker, const 
     else
     {
       // independent of the direction, to the last digit
-      const auto [a, b] = std::minmax(corner, closing.points[end]);
-      onEdges.widen(worker.distances.between(a, b, face));
+      const std::pair<Id, Id> ends = std::minmax(corner, closing.points[end]);
+      auto known = std::find_if(
+        across.begin(), across.end(), [&ends](const auto& one) { return one.first == ends; });
+      if (known == across.end())
+      {
+        across.push_back({ ends, worker.distances.between(ends.first, ends.second, face) });
+        known = across.end() - 1;
+      }
+      onEdges.widen(known->second);
     }
   }
   const double rounding = tolerance::FaceRounding * largest;

@@ -4,6 +4,8 @@
 
 #include "refinement/DeviationRules.h"
 
+#include <array>
+#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -55,8 +57,13 @@ public:
   Check check(RefinementWorker& worker, Id leaf, Id way, bool tight) const;
 
 private:
+  /// The deviations of the segments across a leaf, each between two points.
+  using Across = std::vector<std::pair<std::pair<Id, Id>, Deviation>>;
+
   Check checkTriangle(RefinementWorker& worker, const FaceDistance& face,
-    const RedGreenMesh::Closing& closing, const std::array<Id, 3>& t, bool tight) const;
+    const RedGreenMesh::Closing& closing, const std::array<Id, 3>& t, Across& across,
+    bool tight) const;
+  double worstPartOfEdges(const RedGreenMesh::Closing& closing) const;
   void measureEdges(const std::vector<Id>& leaves);
   Check findBest(RefinementWorker& worker, Id leaf) const;
 

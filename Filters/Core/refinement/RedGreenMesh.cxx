@@ -358,7 +358,6 @@ Id RedGreenMesh::addPart(Id face, const Triangle& corners, const std::array<Id, 
 {
   const Id index = static_cast<Id>(this->parts_.size());
   Red part{ face, corners, edges };
-  part.isThin = areThin(this->inPlane(face, corners));
   for (Id k = 0; k < 3; ++k)
   {
     Edge& edge = this->edges_[edges[k]];
@@ -424,8 +423,9 @@ void RedGreenMesh::divide(Id triangle)
         }
       }
     }
-    this->addPart(
-      face, { closing.points[t[0]], closing.points[t[1]], closing.points[t[2]] }, edges);
+    const Triangle corners = { closing.points[t[0]], closing.points[t[1]], closing.points[t[2]] };
+    const Id part = this->addPart(face, corners, edges);
+    this->parts_[part].isThin = areThin(this->inPlane(face, corners));
   }
   this->red(triangle).parts = first;
   this->red(triangle).numberOfParts = static_cast<Id>(closing.triangles.size());

@@ -139,7 +139,8 @@ public:
   }
   Id numberOfEdges() const { return static_cast<Id>(this->edges_.size()); }
   bool isSplit(Id edge) const { return edge != NoId && this->edges_[edge].split != NoId; }
-  /// Whether a triangle is much longer than high, so that it is never split into four.
+  /// Whether a triangle is much longer than high, so that it is never split into four. The four
+  /// parts of another triangle are not thin, whatever their shapes.
   bool isThin(Id triangle) const;
   /// The corner at which the longest edge of a triangle begins.
   Id longestEdge(Id triangle) const;

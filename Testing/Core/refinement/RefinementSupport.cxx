@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/RefinementSupport.h"
 
+#include "field/FaceDistance.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -199,6 +201,35 @@ double largestDifference(const Samples& samples, const std::vector<double>& trut
     largest = std::isinf(truth[i]) && std::isinf(value)
       ? largest
       : std::max(largest, std::abs(value - truth[i]));
+  }
+  return largest;
+}
+
+double largestDifferenceInside(
+  const DistanceField& field, const RefinedMesh& refined, int inEachTriangle, Random& random)
+{
+  const Points points(field, refined);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < refined.triangles.size(); ++i)
+  {
+    const geodesic::FaceDistance face(field, refined.faces[i]);
+    for (int sample = 0; sample < inEachTriangle; ++sample)
+    {
+      const Barycentric w = randomWeights(random);
+      Barycentric place{};
+      double value = 0.0;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const Id corner = refined.triangles[i][k];
+        const Barycentric b = points.weights(corner, face.face());
+        for (std::size_t j = 0; j < 3; ++j)
+        {
+          place[j] += w[k] * b[j];
+        }
+        value += w[k] * points.distance(corner);
+      }
+      largest = std::max(largest, std::abs(face.distance(face.inPlane(place)) - value));
+    }
   }
   return largest;
 }

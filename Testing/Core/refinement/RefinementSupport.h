@@ -81,6 +81,13 @@ std::size_t expectLeftAsTheyAre(const geodesic::TriangleMesh& mesh,
 /// Places that both report as unreached are skipped.
 double largestDifference(const Samples& samples, const std::vector<double>& truth);
 
+/// The largest difference between interpolant and distance at this many random points of each
+/// triangle.
+///
+/// \param field with all windows kept.
+double largestDifferenceInside(const geodesic::DistanceField& field,
+  const geodesic::RefinedMesh& refined, int inEachTriangle, Random& random);
+
 /// The fraction of a face that a triangle in it covers; negative where it is turned over.
 double determinant(const Barycentric& a, const Barycentric& b, const Barycentric& c);
 

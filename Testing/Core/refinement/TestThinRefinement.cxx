@@ -5,7 +5,6 @@
 #include "Seeds.h"
 #include "refinement/RefinementSupport.h"
 
-#include "field/FaceDistance.h"
 #include "refinement/SolveForRefinement.h"
 
 #include <gtest/gtest.h>
@@ -130,36 +129,6 @@ double smallestAngle(const DistanceField& field, const RefinedMesh& refined)
   return least;
 }
 
-/// The largest difference of interpolant and distance at random points of each triangle.
-double largestDifference(
-  const DistanceField& field, const RefinedMesh& refined, int inEachTriangle, Random& random)
-{
-  const Points points(field, refined);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < refined.triangles.size(); ++i)
-  {
-    const geodesic::FaceDistance face(field, refined.faces[i]);
-    for (int sample = 0; sample < inEachTriangle; ++sample)
-    {
-      const Barycentric w = randomWeights(random);
-      Barycentric place{};
-      double value = 0.0;
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        const Id corner = refined.triangles[i][k];
-        const Barycentric b = points.weights(corner, face.face());
-        for (std::size_t j = 0; j < 3; ++j)
-        {
-          place[j] += w[k] * b[j];
-        }
-        value += w[k] * points.distance(corner);
-      }
-      largest = std::max(largest, std::abs(face.distance(face.inPlane(place)) - value));
-    }
-  }
-  return largest;
-}
-
 struct ThinKind
 {
   const char* name;
@@ -190,7 +159,7 @@ TEST_P(ThinRefinement, KeepsTheSurfaceItsAnglesAndTheBound)
     expectSameSurface(whole, refined);
     EXPECT_GE(smallestAngle(whole, refined), 0.5 * smallestAngle(mesh));
     constexpr int inEachTriangle = 100;
-    EXPECT_LE(largestDifference(whole, refined, inEachTriangle, random),
+    EXPECT_LE(largestDifferenceInside(whole, refined, inEachTriangle, random),
       refined.errorBound + EngineAccuracy * largest);
   }
 }
