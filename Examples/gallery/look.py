@@ -187,9 +187,11 @@ def round_lines(display, width):
 
 
 def with_normals(surface):
-    """A surface that bends without facets when it is shown smooth."""
+    """A surface that bends without facets when it is shown smooth. Of its arrays none stays: normals from before it was
+    bent would be kept (ParaView 5.13)."""
+    bare = simple.PassArrays(registrationName="Bare", Input=surface, PointDataArrays=[], CellDataArrays=[])
     Normals = getattr(simple, "SurfaceNormals", None) or simple.GenerateSurfaceNormals  # of ParaView 5.12, or 5.11
-    return Normals(registrationName="Normals", Input=surface, Splitting=0)
+    return Normals(registrationName="Normals", Input=bare, Splitting=0)
 
 
 # ------------------------------------------------------------------------------------------ words
