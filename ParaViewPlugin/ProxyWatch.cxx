@@ -353,9 +353,9 @@ private:
     }
   }
 
-  /// Where a field is shown, older ones of the same surface would shine through it. ParaView shows
-  /// one output after the other: at the second one the view is no longer empty without them, or
-  /// ParaView would reset its camera.
+  /// Where a field is shown, older ones of the same surface would shine through it, and their
+  /// sources would look like its own. ParaView shows one output after the other: at the second one
+  /// the view is no longer empty without them, or ParaView would reset its camera.
   void HideOtherFields(vtkSMSourceProxy* filter)
   {
     vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
@@ -370,7 +370,10 @@ private:
         if (view && other && other != filter && lines::isField(other) &&
           lines::haveSame("Input", other, filter))
         {
-          controller->Hide(other, 0, view);
+          for (unsigned int port = 0; port < other->GetNumberOfOutputPorts(); ++port)
+          {
+            controller->Hide(other, static_cast<int>(port), view);
+          }
         }
       }
     }

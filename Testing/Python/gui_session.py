@@ -84,8 +84,11 @@ def select(name):
 
 
 def link():
-    """Ties a property of both drawn fields together, as Link with... on the panel does."""
+    """Ties a property of both drawn fields together, as Link with... on the panel does. What later fields of the sheet
+    have hidden is shown again, as it would not execute."""
     first, second = (proxy for _, proxy in filters() if proxy.GetXMLName().endswith("DrawnCurve"))
+    for proxy in (first, second):
+        simple.Show(proxy, simple.GetActiveView())
     tie = servermanager.vtkSMPropertyLink()
     for proxy in (first, second):
         tie.AddLinkedProperty(proxy.SMProxy, "RefinementTolerance", 1)
