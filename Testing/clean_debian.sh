@@ -17,7 +17,9 @@ with_own_mounts()
   [ -z "${GEODESIC_OWN_MOUNTS:-}" ] || return 0
   [ "$(id -u)" -eq 0 ] || skip "only root can make a clean Debian."
   (install_missing debootstrap) || skip "debootstrap is missing."
-  unshare --mount true || skip "file systems cannot be mounted here, as a clean Debian needs them."
+  # shellcheck disable=SC2016 # the shell that is started has the folder
+  unshare --mount sh -c 'folder=$(mktemp -d) && mount -t proc proc "$folder" && umount "$folder" && rmdir "$folder"' ||
+    skip "file systems cannot be mounted here, as a clean Debian needs them."
   GEODESIC_OWN_MOUNTS=yes exec unshare --mount bash "$0" "$@"
 }
 
