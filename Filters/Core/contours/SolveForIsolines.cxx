@@ -121,16 +121,10 @@ DistanceField solveForIsolines(const MeshPartition& surface, const SourceWindows
   const std::vector<double>& values, const FrontOptions& options, int maximumDroppingSolves)
 {
   PinnedFaces pinned(surface, {}, maximumDroppingSolves);
-  for (;;)
-  {
-    std::optional<DistanceField> field = solveDropping(surface, sources, options, pinned,
-      [&](const std::vector<std::uint8_t>& faces)
-      { return IsolineRetention(surface, values, faces); });
-    if (field)
-    {
-      return std::move(*field);
-    }
-  }
+  const auto makeRetention = [&](const std::vector<std::uint8_t>& faces)
+  { return IsolineRetention(surface, values, faces); };
+  return solveUntilComplete(
+    [&]() { return solveDropping(surface, sources, options, pinned, makeRetention); });
 }
 
 DistanceField solveForIsolines(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,

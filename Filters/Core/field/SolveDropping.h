@@ -87,6 +87,22 @@ std::optional<DistanceField> solveDropping(const MeshPartition& surface,
   return DistanceField(surface, std::move(front), retention.release());
 }
 
+/// Solves again until no window is missing.
+///
+/// \param solveOnce () -> what solveDropping() returns.
+template <typename SolveOnce>
+DistanceField solveUntilComplete(const SolveOnce& solveOnce)
+{
+  for (;;)
+  {
+    std::optional<DistanceField> field = solveOnce();
+    if (field)
+    {
+      return std::move(*field);
+    }
+  }
+}
+
 }
 
 #endif

@@ -161,26 +161,15 @@ double DeviationRules::allowedAngle(Id face, double deviation) const
 
 double DeviationRules::leastAngleOf(Id face) const
 {
-  const Triangle& corners = this->triangles_.mesh().triangle(face);
-  return leastAngle(this->triangles_.inPlane(corners[0], face),
-    this->triangles_.inPlane(corners[1], face), this->triangles_.inPlane(corners[2], face));
-}
-
-std::vector<Vec2> DeviationRules::placesOf(const RedGreenMesh::Closing& closing, Id face) const
-{
-  std::vector<Vec2> places;
-  for (const Id point : closing.points)
-  {
-    places.push_back(this->triangles_.inPlane(point, face));
-  }
-  return places;
+  const auto [a, b, c] = this->triangles_.inPlane(this->triangles_.mesh().triangle(face), face);
+  return leastAngle(a, b, c);
 }
 
 double DeviationRules::smallestAngle(Id leaf, Id way) const
 {
   const Id face = this->triangles_.faceOf(leaf);
   const RedGreenMesh::Closing closing = this->triangles_.closing(leaf, way);
-  const std::vector<Vec2> p = this->placesOf(closing, face);
+  const std::vector<Vec2> p = this->triangles_.inPlane(closing, face);
   double least = Infinity;
   for (const std::array<Id, 3>& t : closing.triangles)
   {
@@ -206,22 +195,21 @@ Id DeviationRules::edgeToSplit(Id leaf)
     return NoId;
   }
   const RedGreenMesh::Closing closing = this->triangles_.closing(leaf, 0);
-  const std::vector<Vec2> places = this->placesOf(closing, face);
+  const std::vector<Vec2> places = this->triangles_.inPlane(closing, face);
   const double allowed = LeastAngleFraction * this->leastAngleOf(face);
   for (const std::array<Id, 3>& t : closing.triangles)
   {
+    if (leastAngle(places[t[0]], places[t[1]], places[t[2]]) >= allowed)
+    {
+      continue;
+    }
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const Id begin = t[k];
-      const Id apex = t[(k + 2) % 3];
-      if (closing.edgeBetween(begin, t[(k + 1) % 3]) != NoId &&
-        leastAngle(places[t[0]], places[t[1]], places[t[2]]) < allowed)
+      const bool isSide = closing.edgeBetween(t[k], t[(k + 1) % 3]) != NoId;
+      const Id side = isSide ? partToSplit(places, t[k], t[(k + 2) % 3]) : NoId;
+      if (side != NoId)
       {
-        const Id edge = partToSplit(places, begin, apex);
-        if (edge != NoId)
-        {
-          return closing.edges[edge];
-        }
+        return closing.edges[side];
       }
     }
   }

@@ -5,8 +5,6 @@
 #include "refinement/RedGreenClosure.h"
 #include "refinement/RefinementWorkers.h"
 
-#include <vector>
-
 namespace geodesic
 {
 
@@ -49,7 +47,6 @@ public:
 private:
   double weightOf(Id edge) const;
   double leastAngleOf(Id face) const;
-  std::vector<Vec2> placesOf(const RedGreenMesh::Closing& closing, Id face) const;
   double smallestAngleOfFour(Id triangle, Id splitEdge, double weight) const;
 
   RedGreenMesh& triangles_;

@@ -36,10 +36,20 @@ Vec2 RedGreenMesh::inPlane(Id point, Id face) const
     barycentric(this->mesh_, this->place(point), face));
 }
 
-std::array<Vec2, 3> RedGreenMesh::inPlane(Id face, const Triangle& corners) const
+std::array<Vec2, 3> RedGreenMesh::inPlane(const Triangle& corners, Id face) const
 {
   return { this->inPlane(corners[0], face), this->inPlane(corners[1], face),
     this->inPlane(corners[2], face) };
+}
+
+std::vector<Vec2> RedGreenMesh::inPlane(const Closing& closing, Id face) const
+{
+  std::vector<Vec2> places;
+  for (const Id point : closing.points)
+  {
+    places.push_back(this->inPlane(point, face));
+  }
+  return places;
 }
 
 namespace
@@ -94,7 +104,7 @@ Id RedGreenMesh::ensureEdge(Id triangle, Id k)
       this->redOfFace_[face] = static_cast<Id>(this->redFaces_.size());
       const Triangle& corners = this->mesh_.triangle(face);
       this->redFaces_.push_back({ face, corners });
-      this->redFaces_.back().isThin = areThin(this->inPlane(face, corners));
+      this->redFaces_.back().isThin = areThin(this->inPlane(corners, face));
     }
     this->red(face).edges[TriangleMesh::indexInFace(around)] = edge;
     around = this->mesh_.nextSibling(around);
@@ -111,30 +121,23 @@ Id RedGreenMesh::addEdge(Id a, Id b, Id parent, Id halfedge, Id face)
 bool RedGreenMesh::isThin(Id triangle) const
 {
   const Red* red = this->find(triangle);
-  return red ? red->isThin : areThin(this->inPlane(triangle, this->corners(triangle)));
+  return red ? red->isThin : areThin(this->inPlane(this->corners(triangle), triangle));
 }
 
 Id RedGreenMesh::longestEdge(Id triangle) const
 {
-  return longestSide(this->inPlane(this->faceOf(triangle), this->corners(triangle)));
+  return longestSide(this->inPlane(this->corners(triangle), this->faceOf(triangle)));
 }
 
 Id RedGreenMesh::pointsOnEdges(Id triangle) const
 {
-  return this->pointsOn(this->existingEdge(triangle, 0)) +
-    this->pointsOn(this->existingEdge(triangle, 1)) +
-    this->pointsOn(this->existingEdge(triangle, 2));
-}
-
-// The number of points between the ends of an edge.
-Id RedGreenMesh::pointsOn(Id edge) const
-{
-  if (!this->isSplit(edge))
+  Id count = 0;
+  for (Id k = 0; k < 3; ++k)
   {
-    return 0;
+    this->forEachPartOf(
+      this->existingEdge(triangle, k), [&](Id edge) { count += this->isSplit(edge) ? 1 : 0; });
   }
-  const Id halves = this->edges_[edge].halves;
-  return 1 + this->pointsOn(halves) + this->pointsOn(halves + 1);
+  return count;
 }
 
 Id RedGreenMesh::splitEdges(Id triangle) const
@@ -308,16 +311,13 @@ private:
 
 void RedGreenMesh::closeStrip(Closing& closing, Id face, const Triangle& corners) const
 {
-  std::vector<Vec2> places;
-  Id sideEnd = 0;
-  Id apex = 0;
-  for (Id i = 0; i < closing.size(); ++i)
+  const auto numberOf = [&closing](Id point)
   {
-    places.push_back(this->inPlane(closing.points[i], face));
-    sideEnd = closing.points[i] == corners[1] ? i : sideEnd;
-    apex = closing.points[i] == corners[2] ? i : apex;
-  }
-  Strip(places, sideEnd, apex)
+    return static_cast<Id>(
+      std::find(closing.points.begin(), closing.points.end(), point) - closing.points.begin());
+  };
+  const std::vector<Vec2> places = this->inPlane(closing, face);
+  Strip(places, numberOf(corners[1]), numberOf(corners[2]))
     .close([&closing](const std::array<Id, 3>& t) { closing.triangles.push_back(t); });
 }
 
@@ -425,7 +425,7 @@ void RedGreenMesh::divide(Id triangle)
     }
     const Triangle corners = { closing.points[t[0]], closing.points[t[1]], closing.points[t[2]] };
     const Id part = this->addPart(face, corners, edges);
-    this->parts_[part].isThin = areThin(this->inPlane(face, corners));
+    this->parts_[part].isThin = areThin(this->inPlane(corners, face));
   }
   this->red(triangle).parts = first;
   this->red(triangle).numberOfParts = static_cast<Id>(closing.triangles.size());

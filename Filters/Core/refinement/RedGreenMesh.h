@@ -106,6 +106,9 @@ public:
   SurfacePoint place(Id point) const;
   /// A point of a face in the face's plane, as in FaceDistance.
   Vec2 inPlane(Id point, Id face) const;
+  std::array<Vec2, 3> inPlane(const Triangle& corners, Id face) const;
+  /// The places of a closing's points.
+  std::vector<Vec2> inPlane(const Closing& closing, Id face) const;
 
   bool isFrozen(Id face) const { return this->frozen_[face] != 0; }
   /// Whether an input face is unchanged in the output: even its edges have not been made.
@@ -345,10 +348,8 @@ private:
   Id addEdge(Id a, Id b, Id parent, Id halfedge, Id face);
   SurfacePoint between(const Edge& edge, double weight) const;
   Id halfAt(Id edge, Id end) const;
-  Id pointsOn(Id edge) const;
   void addAlong(Closing& closing, Id begin, Id edge) const;
   void closeStrip(Closing& closing, Id face, const Triangle& corners) const;
-  std::array<Vec2, 3> inPlane(Id face, const Triangle& corners) const;
   Id addPart(Id face, const Triangle& corners, const std::array<Id, 3>& edges);
   /// Bisects at the longest split edge first, for the shapes.
   template <typename Emit>

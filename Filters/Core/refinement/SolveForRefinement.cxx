@@ -35,15 +35,8 @@ DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindo
   double refinementTolerance, const FrontOptions& options, int maximumDroppingSolves)
 {
   PinnedFaces pinned(surface, {}, maximumDroppingSolves);
-  for (;;)
-  {
-    std::optional<DistanceField> field =
-      trySolveForRefinement(surface, sources, refinementTolerance, options, pinned);
-    if (field)
-    {
-      return std::move(*field);
-    }
-  }
+  return solveUntilComplete([&]()
+    { return trySolveForRefinement(surface, sources, refinementTolerance, options, pinned); });
 }
 
 DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,

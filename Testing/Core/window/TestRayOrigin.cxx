@@ -15,6 +15,22 @@ namespace
 
 constexpr Id Last = RayOrigin::MaximumOnCurves - 1;
 
+/// What an origin on a curve says, as it is and in a mirror.
+void expectOnCurve(const RayOrigin& origin, bool isPoint, bool isRight, bool isMirrored)
+{
+  for (const RayOrigin& seen : { origin, origin.mirrored() })
+  {
+    EXPECT_TRUE(seen.isKnown());
+    EXPECT_FALSE(seen.isVertex());
+    EXPECT_TRUE(seen.isOnCurve());
+    EXPECT_EQ(seen.isPoint(), isPoint);
+    EXPECT_EQ(seen.isRight(), isRight);
+  }
+  EXPECT_EQ(origin.isMirrored(), isMirrored);
+  EXPECT_EQ(origin.mirrored().isMirrored(), !isMirrored);
+  EXPECT_EQ(origin.mirrored().mirrored(), origin);
+}
+
 TEST(RayOrigin, NoneIsOfNoKind)
 {
   const RayOrigin none;
@@ -46,18 +62,9 @@ TEST(RayOrigin, ASideOfACurveKeepsCurveAndSideAlsoInAMirror)
     for (const bool isRight : { false, true })
     {
       const RayOrigin origin = RayOrigin::curveSide(curve, isRight);
-      for (const RayOrigin& seen : { origin, origin.mirrored() })
-      {
-        EXPECT_TRUE(seen.isKnown());
-        EXPECT_FALSE(seen.isVertex());
-        EXPECT_TRUE(seen.isOnCurve());
-        EXPECT_FALSE(seen.isPoint());
-        EXPECT_EQ(seen.curve(), curve);
-        EXPECT_EQ(seen.isRight(), isRight);
-      }
-      EXPECT_FALSE(origin.isMirrored());
-      EXPECT_TRUE(origin.mirrored().isMirrored());
-      EXPECT_EQ(origin.mirrored().mirrored(), origin);
+      expectOnCurve(origin, false, isRight, false);
+      EXPECT_EQ(origin.curve(), curve);
+      EXPECT_EQ(origin.mirrored().curve(), curve);
     }
   }
 }
@@ -71,18 +78,9 @@ TEST(RayOrigin, APointOfACurveKeepsPointAndSideAlsoInAMirror)
       for (const bool isMirrored : { false, true })
       {
         const RayOrigin origin = RayOrigin::pointSide(point, isRight, isMirrored);
-        for (const RayOrigin& seen : { origin, origin.mirrored() })
-        {
-          EXPECT_TRUE(seen.isKnown());
-          EXPECT_FALSE(seen.isVertex());
-          EXPECT_TRUE(seen.isOnCurve());
-          EXPECT_TRUE(seen.isPoint());
-          EXPECT_EQ(seen.point(), point);
-          EXPECT_EQ(seen.isRight(), isRight);
-        }
-        EXPECT_EQ(origin.isMirrored(), isMirrored);
-        EXPECT_EQ(origin.mirrored().isMirrored(), !isMirrored);
-        EXPECT_EQ(origin.mirrored().mirrored(), origin);
+        expectOnCurve(origin, true, isRight, isMirrored);
+        EXPECT_EQ(origin.point(), point);
+        EXPECT_EQ(origin.mirrored().point(), point);
       }
     }
   }
