@@ -80,13 +80,8 @@ struct WayFrom
 WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest, double leastBend)
 {
   const Vec2 d = p - Vec2{ x, 0.0 };
-  const double length = norm(ray);
-  // The rounding of both vectors. A ray from beside a corner is hardly longer than its rounding.
-  const double rounding = tolerance::PlaceRounding * longest;
-  const double ofBoth = rounding * (length + norm(d));
-  const bool isBent = norm(d) > leastBend &&
-    (length <= rounding || std::abs(cross(ray, d)) > ofBoth || dot(ray, d) < -ofBoth);
-  return { isBent, isBent || length < tolerance::NearEdge * norm(d) ? d : ray };
+  const bool isBent = norm(d) > leastBend && bends(ray, d, longest);
+  return { isBent, isBent || norm(ray) < tolerance::NearEdge * norm(d) ? d : ray };
 }
 
 /// Looks for the shortest way to one point.

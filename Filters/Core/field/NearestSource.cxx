@@ -2,6 +2,7 @@
 #include "field/NearestSource.h"
 
 #include "Errors.h"
+#include "Tolerance.h"
 #include "field/NearestSourceOnRanks.h"
 
 #include <algorithm>
@@ -40,11 +41,16 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
 }
 
 // The last piece of the path to a vertex. If it comes through a window and cannot bend at a corner,
-// its direction is left out, so that no face need be looked at.
+// its direction is left out, so that no face need be looked at. The window's ray is its direction,
+// unless the source is so near to the halfedge that rounding of the crossing turns the ray.
 IncomingSegment NearestSource::originTo(Id vertex) const
 {
   const Arrival& arrival = this->field_.arrivals()[vertex];
-  if (!arrival.isThroughWindow() || cornerCrossed(this->mesh_, arrival) != NoId)
+  const auto isNear = [&]
+  {
+    return norm(arrival.direction) < tolerance::NearEdge * this->mesh_.length(arrival.halfedge);
+  };
+  if (!arrival.isThroughWindow() || isNear() || cornerCrossed(this->mesh_, arrival) != NoId)
   {
     return incomingSegmentTo(this->field_, SurfacePoint::atVertex(vertex));
   }

@@ -154,17 +154,19 @@ bool addShadow(const TriangleMesh& mesh, Id vertex, const Continuation& from,
 
 } // anonymous namespace
 
+bool bends(Vec2 ray, Vec2 way, double longest)
+{
+  const double length = norm(ray);
+  const double rounding = tolerance::PlaceRounding * longest;
+  const double ofBoth = rounding * (length + norm(way));
+  return length <= rounding || std::abs(cross(ray, way)) > ofBoth || dot(ray, way) < -ofBoth;
+}
+
 bool isBent(const TriangleMesh& mesh, const Arrival& arrival)
 {
-  if (!arrival.isThroughWindow())
-  {
-    return false;
-  }
-  const Vec2 segment = apexOf(mesh, arrival.halfedge) - Vec2{ arrival.x, 0.0 };
-  const double rounding =
-    tolerance::PlaceRounding * mesh.shape(TriangleMesh::faceOf(arrival.halfedge)).longest();
-  return std::abs(cross(arrival.direction, segment)) >
-    rounding * (norm(arrival.direction) + norm(segment));
+  return arrival.isThroughWindow() &&
+    bends(arrival.direction, apexOf(mesh, arrival.halfedge) - Vec2{ arrival.x, 0.0 },
+      mesh.shape(TriangleMesh::faceOf(arrival.halfedge)).longest());
 }
 
 bool findSaddleWedge(

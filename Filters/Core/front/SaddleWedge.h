@@ -36,6 +36,11 @@ struct Arrival
   }
 };
 
+/// Whether a path bends that comes along a ray and goes on along a way. It does not if both have
+/// one direction but for the rounding of places in a face with this longest edge. A ray as short as
+/// that rounding has no direction: such a path is taken for bent.
+bool bends(Vec2 ray, Vec2 way, double longest);
+
 /// Whether the segment of an arrival through a window does not run along the window's ray: the path
 /// bends at the end of the window.
 bool isBent(const TriangleMesh& mesh, const Arrival& arrival);

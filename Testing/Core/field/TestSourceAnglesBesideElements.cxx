@@ -147,26 +147,34 @@ double sizeOf(const PlainMesh& mesh)
   return size;
 }
 
-/// The least error of an angle, as that of a path which bends at a vertex and is as long as the
-/// straight one up to two ties: one on the way, one where ways through the last face are compared.
-/// With the path's length d and the distance a to the vertex an angle u lengthens the path by
-/// u^2 a d / (2 (d - a)).
-double leastErrorOfBent(const PlainMesh& mesh, const Vec3& source, const Vec3& straight,
+/// The point of a segment, or of a point given twice, that is the nearest.
+Vec3 nearestOn(const Vec3& a, const Vec3& b, const Vec3& point)
+{
+  const Vec3 along = minus(b, a);
+  const double square = geodesic::dot(along, along);
+  const double t = square > 0.0 ? geodesic::dot(minus(point, a), along) / square : 0.0;
+  return t < 1.0 ? minus(a, geodesic::operator*(-std::max(t, 0.0), along)) : b;
+}
+
+/// The least error of an angle, as that of a path from the source, a segment from a to b, which
+/// bends at a vertex and is as long as the straight one up to two ties: one on the way, one where
+/// ways through the last face are compared. Its direction carries the rounding of both its places,
+/// as seen from one to the other.
+double leastErrorOfBent(const PlainMesh& mesh, const Vec3& a, const Vec3& b, const Vec3& query,
   const geodesic::SourceFrame& frame, double angle)
 {
   double least = Pi;
-  const double d = geodesic::norm(straight);
-  const double longer = 2.0 * tolerance::Tie * (d + sizeOf(mesh));
+  const double straight = geodesic::norm(minus(query, nearestOn(a, b, query)));
+  const double size = straight + sizeOf(mesh);
   for (const Vec3& vertex : mesh.points)
   {
-    const Vec3 way = minus(vertex, source);
-    const double toVertex = angleIn(frame, way);
-    const double a = geodesic::norm(way);
-    if (a < d &&
-      gapOfAngles(toVertex, angleIn(frame, straight)) <=
-        std::sqrt(2.0 * longer * (d - a) / (a * d)))
+    const Vec3 way = minus(vertex, nearestOn(a, b, vertex));
+    const double toVertex = geodesic::norm(way);
+    if (toVertex + geodesic::norm(minus(query, vertex)) <= straight + 2.0 * tolerance::Tie * size)
     {
-      least = std::min(least, gapOfAngles(angle, toVertex));
+      const double rounding = 2.0 * tolerance::Rounding * size / toVertex;
+      const double error = gapOfAngles(angle, angleIn(frame, way)) - rounding;
+      least = std::min(least, std::max(error, 0.0));
     }
   }
   return least;
@@ -216,8 +224,7 @@ public:
       EXPECT_EQ(ends[i].source, nearest);
       if (!this->isAtVertex_[nearest])
       {
-        this->compareAngle(
-          ends[i].angle, AccuracyOfEnds, nearest, this->straightTo(compared[i], nearest));
+        this->compareAngle(ends[i].angle, AccuracyOfEnds, nearest, compared[i]);
       }
     }
   }
@@ -253,23 +260,23 @@ private:
       geodesic::position(this->solved_.mesh, this->solved_.nearest.pointOf(foot));
     EXPECT_LE(geodesic::norm(minus(closest, this->sources_[nearest])),
       2.0 * tolerance::PositionRoundings * tolerance::Rounding * this->largest_);
-    this->compareAngle(
-      this->solved_.nearest.angleOf(foot), Accuracy, nearest, this->straightTo(query, nearest));
+    this->compareAngle(this->solved_.nearest.angleOf(foot), Accuracy, nearest, query);
   }
 
   // The path leaves straight to the query, or to a vertex at which it bends.
-  void compareAngle(double angle, double accuracy, Id nearest, const Vec3& straight)
+  void compareAngle(double angle, double accuracy, Id nearest, const MeshPoint& query)
   {
     const geodesic::SourceFrame frame = this->solved_.nearest.frameOf(nearest);
-    const double error = gapOfAngles(angle, angleIn(frame, straight));
+    const double error = gapOfAngles(angle, angleIn(frame, this->straightTo(query, nearest)));
     ++this->worst_.count;
     if (error <= accuracy)
     {
       this->worst_.straight = std::max(this->worst_.straight, error);
       return;
     }
-    const double least = std::min(
-      error, leastErrorOfBent(this->plain_, this->sources_[nearest], straight, frame, angle));
+    const Vec3& source = this->sources_[nearest];
+    const double least = std::min(error,
+      leastErrorOfBent(this->plain_, source, source, position(this->plain_, query), frame, angle));
     EXPECT_LE(least, accuracy) << "off by " << error;
     ++this->worst_.countBent;
     this->worst_.bent = std::max(this->worst_.bent, error);
@@ -373,11 +380,9 @@ public:
 
   void compare(const MeshPoint& query)
   {
-    const Vec3 along = minus(this->b_, this->a_);
-    const Vec3 toQuery = minus(position(this->plain_, query), this->a_);
-    const double t =
-      std::clamp(geodesic::dot(toQuery, along) / geodesic::dot(along, along), 0.0, 1.0);
-    const Vec3 straight = minus(toQuery, geodesic::operator*(t, along));
+    const Vec3 place = position(this->plain_, query);
+    const Vec3 nearest = nearestOn(this->a_, this->b_, place);
+    const Vec3 straight = minus(place, nearest);
     if (geodesic::norm(straight) < ShortPath)
     {
       return;
@@ -386,23 +391,25 @@ public:
     const Foot foot = p.kind == SurfacePoint::Kind::Vertex
       ? this->nearest_.atVertex(p.id)
       : this->nearest_.of(geodesic::incomingSegmentTo(this->field_, p));
-    const double length = geodesic::norm(along);
-    EXPECT_NEAR(this->nearest_.arcLengthOf(foot), t * length, 1e-6 * length);
+    const double arcLength = geodesic::norm(minus(nearest, this->a_));
+    const double length = geodesic::norm(minus(this->b_, this->a_));
+    SCOPED_TRACE(std::to_string(arcLength / length) + " along the segment");
+    EXPECT_NEAR(this->nearest_.arcLengthOf(foot), arcLength, 1e-6 * length);
     const geodesic::SourceFrame frame = this->nearest_.frameOf(0);
-    const double angle = this->nearest_.angleOf(foot);
-    const Vec3 from = minus(position(this->plain_, query), straight);
-    const double error = std::min(gapOfAngles(angle, angleIn(frame, straight)),
-      leastErrorOfBent(this->plain_, from, straight, frame, angle));
-    EXPECT_LE(error, 1e-6) << "at " << t << ", " << geodesic::norm(straight) << " away";
-    EXPECT_TRUE(t == 0.0 || t == 1.0 || foot.isRight == (angleIn(frame, straight) < 0.0))
-      << "at " << t;
+    const auto errorOf = [&](double angle)
+    {
+      return std::min(gapOfAngles(angle, angleIn(frame, straight)),
+        leastErrorOfBent(this->plain_, this->a_, this->b_, place, frame, angle));
+    };
+    const double error = errorOf(this->nearest_.angleOf(foot));
+    EXPECT_LE(error, 1e-6);
+    EXPECT_TRUE(
+      arcLength == 0.0 || arcLength == length || foot.isRight == (angleIn(frame, straight) < 0.0));
     geodesic::PathEnd end;
     geodesic::pathsToSource(geodesic::MeshPartition(this->mesh_),
       geodesic::ReplicatedPatch(this->mesh_), this->curves_, { p }, {},
       [&](std::size_t, const geodesic::PathToSource& path) { end = path.end; });
-    const double errorOfEnd = std::min(gapOfAngles(end.angle, angleIn(frame, straight)),
-      leastErrorOfBent(this->plain_, from, straight, frame, end.angle));
-    EXPECT_LE(errorOfEnd, 1e-6) << "its path, at " << t;
+    EXPECT_LE(errorOf(end.angle), 1e-6) << "its path";
     ++this->worst_.count;
     this->worst_.straight = std::max(this->worst_.straight, error);
   }
@@ -509,10 +516,13 @@ private:
     const double distance = this->polar(this->source_).radius;
     const Polar q = this->polar(query);
     const double turn = this->turnTo(q);
-    const double border =
-      1e-9 + (q.radius <= 1.0 / this->rings_ ? 64.0 * tolerance::Rounding / distance : 0.0);
-    if (q.radius < ShortPath || std::abs(0.5 * total - std::abs(turn)) < border ||
-      std::abs(Pi - std::abs(turn)) < border)
+    // The ways left and right of the apex differ by 2 distance sin(total / 2) times the turn from
+    // the border between them, and each carries some roundings.
+    const double rounding = q.radius <= 1.0 / this->rings_ ? tolerance::Rounding / distance : 0.0;
+    const double borderOfWays = 1e-9 + 8.0 * rounding / std::abs(std::sin(0.5 * total));
+    const double borderOfShadow = 1e-9 + 64.0 * rounding;
+    if (q.radius < ShortPath || std::abs(0.5 * total - std::abs(turn)) < borderOfWays ||
+      std::abs(Pi - std::abs(turn)) < borderOfShadow)
     {
       return std::nullopt;
     }
@@ -609,6 +619,33 @@ TEST(SourceAnglesBesideVertices, OnPlanarMeshesAreThoseOfTheStraightLine)
   compareOnRandom([](Random& random)
     { return randomPlanar(random.between(2, 8), random.between(2, 8), random); },
     meshesOfAKind(10), besideVertex);
+}
+
+// The rays on both sides of the curve's line are two windows. Their common end on the edge is
+// rounded, and the path that bends there is as long but for rounding.
+TEST(SourceAnglesBesideEdges, OfACurveThatPointsBesideAVertexAreThoseInThePlane)
+{
+  const PlainMesh plain = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0.1, 0.2, 0 }, { 0.9, -0.3, 0 } },
+    { { 0, 1, 2 }, { 1, 0, 3 } } };
+  Worst worst;
+  for (const double fraction : { 1e-13, 2e-13, 4e-13, 1e-12 })
+  {
+    for (int i = -100; i <= 100; ++i)
+    {
+      const double turn = 0.001 * i;
+      SCOPED_TRACE(std::to_string(fraction / 1e-13) + "e-13, " + std::to_string(turn));
+      const MeshPoint end = { 0, { 0.6 - fraction, 0.4, fraction } };
+      const Vec3 at = position(plain, end);
+      const double direction = std::atan2(-0.3, 0.5) + turn;
+      const double x = at[0] - 0.1 * std::cos(direction);
+      const double y = at[1] - 0.1 * std::sin(direction);
+      const double weight = y / 0.2;
+      const MeshPoint begin = { 0, { 1.0 - x - 0.9 * weight, x - 0.1 * weight, weight } };
+      SegmentInThePlane segment(plain, end, begin, true, worst);
+      segment.compare(vertexPoint(plain, 3));
+    }
+  }
+  worst.print(1e-13);
 }
 
 TEST(SourceAnglesBesideElements, OfCurvesThatEndThereAreThoseInThePlane)
