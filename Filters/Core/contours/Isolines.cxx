@@ -51,10 +51,10 @@ double placeByDistance(
     return place;
   }
   constexpr int doublings = 8;
-  double reach = std::abs(off);
-  for (int i = 0; i < doublings; ++i, reach *= 2.0)
+  double step = std::abs(off);
+  for (int i = 0; i < doublings; ++i, step *= 2.0)
   {
-    for (double other : { std::max(0.0, place - reach), std::min(length, place + reach) })
+    for (double other : { std::max(0.0, place - step), std::min(length, place + step) })
     {
       if ((above(other) < 0.0) != (off < 0.0))
       {

@@ -90,12 +90,13 @@ SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fract
                            : SurfacePoint::onEdge(halfedge, fraction);
 }
 
-SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fraction, double reach)
+SurfacePoint placeOnHalfedge(
+  const TriangleMesh& mesh, Id halfedge, double fraction, double snapDistance)
 {
   const double length = mesh.length(halfedge);
-  return fraction * length <= reach      ? SurfacePoint::atVertex(mesh.origin(halfedge))
-    : (1.0 - fraction) * length <= reach ? SurfacePoint::atVertex(mesh.destination(halfedge))
-                                         : SurfacePoint::onEdge(halfedge, fraction);
+  return fraction * length <= snapDistance      ? SurfacePoint::atVertex(mesh.origin(halfedge))
+    : (1.0 - fraction) * length <= snapDistance ? SurfacePoint::atVertex(mesh.destination(halfedge))
+                                                : SurfacePoint::onEdge(halfedge, fraction);
 }
 
 SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point)

@@ -102,7 +102,7 @@ LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
     sourceWindowsOfPartition(part, patch, makeSourceWindows(patch.mesh(), { pointCurve(from) })),
     options, search)
                    .vertexDistances;
-  const double reach = part.exchange().largestOf(search.reach());
+  const double reach = part.exchange().largestOf(search.neededDistance());
   ways.length = reach / (1.0 - tolerance::CorridorSearch);
   // Vertices that the front has not settled are beyond its reach; no way is shorter than the
   // distance in space.

@@ -51,7 +51,7 @@ double lengthAlongEdges(
 {
   std::unordered_map<Id, double> lengthTo;
   std::priority_queue<Entry> queue;
-  const auto reach = [&](Id vertex, double length)
+  const auto shorten = [&](Id vertex, double length)
   {
     double& known = lengthTo.try_emplace(vertex, Infinity).first->second;
     if (length < known)
@@ -62,7 +62,7 @@ double lengthAlongEdges(
   };
   for (const Id vertex : verticesAround(mesh, first))
   {
-    reach(vertex, distanceInSpace(mesh, mesh.point(vertex), first));
+    shorten(vertex, distanceInSpace(mesh, mesh.point(vertex), first));
   }
   const std::vector<Id> goals = verticesAround(mesh, second); // the way from there is straight
   double best = Infinity;
@@ -77,8 +77,8 @@ double lengthAlongEdges(
       for (const Id corner : mesh.cornersAt(top.vertex))
       {
         const Id previous = TriangleMesh::previousInFace(corner);
-        reach(mesh.destination(corner), top.length + mesh.length(corner));
-        reach(mesh.origin(previous), top.length + mesh.length(previous));
+        shorten(mesh.destination(corner), top.length + mesh.length(corner));
+        shorten(mesh.origin(previous), top.length + mesh.length(previous));
       }
     }
     constexpr std::size_t stepsPerReport = 4096;
@@ -235,12 +235,12 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   const std::vector<double> toSecond =
     propagate(mesh, { pointCurve(second) }, options, search).vertexDistances;
 
-  corridor.lowerBounds = lowerBounds(mesh, second, toSecond, search.reach(), corridor);
+  corridor.lowerBounds = lowerBounds(mesh, second, toSecond, search.neededDistance(), corridor);
   // The two points may be at one place, behind faces without area: there a path is as long as
   // roundings.
   const double least = tolerance::BoundMargin * length;
   corridor.length =
-    std::min(length, std::max(least, (1.0 + tolerance::CorridorSearch) * search.reach()));
+    std::min(length, std::max(least, (1.0 + tolerance::CorridorSearch) * search.neededDistance()));
   options.relativeError = 0.0;
   options.keepArrivals = true;
   options.job = job.part(ShareOfSearch, 1.0);

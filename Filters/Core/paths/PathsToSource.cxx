@@ -151,7 +151,7 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
   paths.run();
 
   const KnownDistances known{ field.vertexDistances(),
-    part.exchange().largestOf(retention.reach()) };
+    part.exchange().largestOf(retention.neededDistance()) };
   const std::vector<TargetOnRank> lost = gatherTargets(field, targets, paths.lost());
   for (std::size_t i = 0; i < lost.size(); ++i)
   {

@@ -58,15 +58,15 @@ void check(const TriangleMesh& mesh, const LocatedPolyline& polyline)
 bool areJoined(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to)
 {
   std::vector<Id> faces;
-  std::set<Id> reached;
-  const auto reach = [&](Id face)
+  std::set<Id> entered;
+  const auto enter = [&](Id face)
   {
-    if (reached.insert(face).second)
+    if (entered.insert(face).second)
     {
       faces.push_back(face);
     }
   };
-  forEachFace(mesh, from, reach);
+  forEachFace(mesh, from, enter);
   for (std::size_t n = 0; n < faces.size(); ++n)
   {
     const Id face = faces[n];
@@ -82,7 +82,7 @@ bool areJoined(const TriangleMesh& mesh, const SurfacePoint& from, const Surface
     {
       for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
       {
-        reach(TriangleMesh::faceOf(s));
+        enter(TriangleMesh::faceOf(s));
       }
     }
   }

@@ -36,7 +36,7 @@ void WindowListBuilder::reset(double edgeLength)
 }
 
 // The added window overlaps the window before it.
-void WindowListBuilder::settleOverlapping()
+void WindowListBuilder::trimOverlapping()
 {
   const std::size_t size = this->windows_.size();
   Window& added = this->windows_[size - 1];
@@ -51,17 +51,17 @@ void WindowListBuilder::settleOverlapping()
   }
   else if (last.end - added.begin <= 2.0 * this->leastWidth_)
   {
-    this->settleBehindLast(last, added);
+    this->trimBehindLast(last, added);
   }
   else
   {
-    this->settleAgainstLast(last, added);
+    this->trimAgainstLast(last, added);
   }
 }
 
 // The windows overlap by a few roundings. A cut there would be meaningless, so the lower window
 // gets the whole overlap.
-void WindowListBuilder::settleBehindLast(Window& last, Window& added)
+void WindowListBuilder::trimBehindLast(Window& last, Window& added)
 {
   const double middle = 0.5 * (added.begin + last.end);
   if (last.distance(middle) <= added.distance(middle))
@@ -91,11 +91,11 @@ void WindowListBuilder::dropNarrow(Window& last, Window& added)
 }
 
 // The added window overlaps only the list's last window, and begins inside it.
-void WindowListBuilder::settleAgainstLast(Window& last, Window& added)
+void WindowListBuilder::trimAgainstLast(Window& last, Window& added)
 {
   const double hi = std::min(last.end, added.end);
   const LowerParts lower = lowerOf(last, added, added.begin, hi);
-  if (!this->settleInPlace(last, added, lower, hi))
+  if (!this->trimInPlace(last, added, lower, hi))
   {
     const Window old = last;
     const Window window = added;
@@ -106,8 +106,7 @@ void WindowListBuilder::settleAgainstLast(Window& last, Window& added)
 
 // The frequent cases: each of the two windows keeps one part of its interval. Returns false,
 // without any change, in all other cases.
-bool WindowListBuilder::settleInPlace(
-  Window& last, Window& added, const LowerParts& lower, double hi)
+bool WindowListBuilder::trimInPlace(Window& last, Window& added, const LowerParts& lower, double hi)
 {
   if (lower.firstIsA && lower.cuts == 0)
   {

@@ -357,7 +357,7 @@ TEST_P(PathsToSourceOn, FrontsThatStopEarlyTellTheSameDistancesToTheLastBit)
       EXPECT_EQ(field.distance(c.targets[i]), whole.distance(c.targets[i]));
       for (geodesic::Id v = 0; v < c.mesh.numberOfVertices(); ++v)
       {
-        const bool isWithin = whole.vertexDistances()[v] <= retention.reach();
+        const bool isWithin = whole.vertexDistances()[v] <= retention.neededDistance();
         stopped += isWithin ? 0 : 1;
         if (isWithin)
         {
