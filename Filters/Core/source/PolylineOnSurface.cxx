@@ -101,6 +101,7 @@ public:
     , join_(join)
     , job_(job)
     , numberOfPoints_(static_cast<double>(numberOfPoints))
+    , components_(mesh)
   {
   }
 
@@ -324,8 +325,7 @@ private:
   /// Points of the finished polylines.
   double pointsDone_ = 0.0;
   std::size_t pointsPlaced_ = 0;
-  /// The component of each vertex, for choosePlaces().
-  std::vector<Id> components_;
+  MeshComponents components_;
   SourceCurves result_;
 };
 

@@ -127,8 +127,8 @@ bool WindowListBuilder::trimInPlace(Window& last, Window& added, const LowerPart
   return true;
 }
 
-// Appends parts of the two windows in turn, each up to the next cut, and the last part up to the
-// end of its window.
+// Appends the part of the last window up to the first cut, then parts of the two windows by turns,
+// each up to the next cut, and what one of them has behind the other.
 void WindowListBuilder::appendParts(
   const Window& last, const Window& window, const LowerParts& lower, double hi)
 {
@@ -140,18 +140,16 @@ void WindowListBuilder::appendParts(
     this->windows_.push_back(last);
     this->windows_.back().end = begin;
   }
-  for (int i = lower.firstIsA ? 1 : 0; i <= lower.cuts; ++i)
+  const Window* part = &window;
+  const Window* other = &last;
+  for (int i = lower.firstIsA ? 1 : 0; i < lower.cuts; ++i)
   {
-    const bool isLast = (i % 2 == 0) == lower.firstIsA;
-    const Window& part = isLast ? last : window;
-    this->push(part, begin, i < lower.cuts ? cutAt(i) : part.end);
+    this->push(*part, begin, cutAt(i));
     begin = cutAt(i);
-    if (i == lower.cuts)
-    {
-      const Window& other = isLast ? window : last;
-      this->push(other, hi, other.end);
-    }
+    std::swap(part, other);
   }
+  this->push(*part, begin, part->end);
+  this->push(*other, hi, other->end);
 }
 
 void WindowListBuilder::appendToSeveral(const Window& window)
