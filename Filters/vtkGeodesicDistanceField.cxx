@@ -388,15 +388,15 @@ public:
     {
       const auto before = static_cast<double>(i);
       const Job ofBlock = job.part(before / count, (before + 1.0) / count);
-      const int pointType = this->TypeOfPoints(result, i);
+      const BlockToWrite to = { blocks[i], inputs[i].data, outputs[i],
+        this->TypeOfPoints(result, i) };
       if (result.isRefined)
       {
-        writeRefined(blocks[i], result.refined[i].mesh, this->Inputs.surface->scale, pointType,
-          inputs[i].data, outputs[i], ofBlock);
+        writeRefined(to, result.refined[i].mesh, this->Inputs.surface->scale, ofBlock);
       }
       else
       {
-        writeWhole(blocks[i], pointType, inputs[i].data, outputs[i], ofBlock);
+        writeWhole(to, ofBlock);
       }
       this->WriteDistances(result, i, outputs[i]);
       if (this->Self->RemoveUnusedPoints)

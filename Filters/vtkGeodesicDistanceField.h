@@ -43,13 +43,11 @@
  * composite data, threads, pieces, ranks and errors.
  *
  * @par Output:
- * Port 0 has the surface as triangles, with all points of the input, unchanged (unless they are
- * rounded, see SetOutputPointsPrecision()) and in order, then those that refinement has added. Of a
- * composite surface it has the structure and the names (GetOutputDataObject(0); GetOutput() is null
- * then), and each block has its own points and arrays. There are
- * - point data array `GeodesicDistance` (or DistanceArrayName): the distance, in double precision;
- *   infinite (or UnreachedValue) at points that no path connects to the source, inside barriers, or
- *   beyond MaximumDistance,
+ * Port 0 has the surface as triangles, with all points of the input in order, then those that
+ * refinement has added. Of a composite surface it has the structure and the names
+ * (GetOutputDataObject(0); GetOutput() is null then), and each block has its own points and arrays.
+ * There are
+ * - point data array `GeodesicDistance` (or DistanceArrayName), in double precision,
  * - if they are asked for, point data arrays `SourceId`, `ClosestSourcePoint`, `DistanceGradient`,
  *   `SignedGeodesicDistance`, `SourceArcLength`, `SourceAngle` and `SourceTextureCoordinates`: see
  *   SetGenerateSourceIds() and the properties that follow it,
@@ -59,20 +57,13 @@
  *   `RelativeErrorBound`, `InterpolationErrorBound` and `SeamPointsJoined`, on the whole and on
  *   each block: see the getters of these names; with SetGenerateSourceAngle() also `SourceFrame`.
  * @par
- * Point data is interpolated linearly to new points, in the face; strings, ids (vtkIdTypeArray and
- * pedigree ids) and bits are those of the nearest corner, a new point is a ghost in the ways that
- * all corners around it are, and global ids are dropped. Cell data is handed down to the parts of a
- * cell. Triangles that are not reached or lie wholly beyond MaximumDistance are not refined, but
- * closed against refined neighbors. Barriers are not refined either, but cut where refinement has
- * split their rims. Where several points of the input are at one place (see
- * MergeCoincidentPoints), a split edge between them has as many points as it had on the input;
- * where blocks or pieces of ranks meet, these have the same coordinates and distances on both
- * sides. Faces on the same points as another are refined like it.
- * @par
  * Port 1 has the source as it lies on the surface: polylines with a point at every mesh edge that
  * they cross, and a vertex for each point source, with the cell data array `SourceId`: the part of
- * the source that each comes from, as SetGenerateSourceIds() numbers them; with
- * SetGenerateSourceArcLength() also with the point data array `SourceArcLength`.
+ * the source that each comes from; with SetGenerateSourceArcLength() also the point data array
+ * `SourceArcLength`.
+ * @par
+ * The page Reference (Filters/Reference.md) says what happens to the input's data and at borders of
+ * blocks, how the arrays are measured exactly, where they jump, and what the bounds are bounds of.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
@@ -195,12 +186,8 @@ public:
    * The precision of the points of output port 0: SINGLE_PRECISION, DOUBLE_PRECISION, or, the
    * default, DEFAULT_PRECISION: double where refinement has added points (to the block of a
    * composite surface; if ranks share a surface, to any block of any rank), otherwise the input's
-   * points themselves. A refined output of an input in single precision so takes 12 bytes a point
-   * more, about an eighth of the whole. Output port 1 has double precision always.
-   *
-   * GetInterpolationErrorBound() holds for the points as they are stored. If single precision
-   * rounds coordinates by more than the tolerance, as it does far from the origin, the bound is
-   * over the tolerance, and a warning tells so.
+   * points themselves. GetInterpolationErrorBound() holds for the points as they are stored. Output
+   * port 1 has double precision always.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -208,11 +195,10 @@ public:
 
   ///@{
   /**
-   * Whether triangles are also split where the nearest part of the source changes, so that borders
-   * of SourceId are crisp: a triangle whose corners have different ones is split until its edges
-   * are no longer than the refinement tolerance. Where the nearest side of a curve changes without
-   * the curve between, triangles are split if GenerateSignedDistance is on. Needs RefineMesh; takes
-   * one more solve. Triangles over the tolerance are split before those at borders. Off by default.
+   * Whether triangles are also split where the nearest part of the source changes (and, if
+   * GenerateSignedDistance is on, the nearest side of a curve), until their edges are no longer
+   * than the refinement tolerance: borders of SourceId are crisp then. Needs RefineMesh; takes one
+   * more solve. Triangles over the tolerance are split before those at borders. Off by default.
    */
   vtkSetMacro(RefineSourceBorders, bool);
   vtkGetMacro(RefineSourceBorders, bool);
@@ -243,13 +229,10 @@ public:
   ///@{
   /**
    * What stands in the distance array, and in SignedGeodesicDistance, SourceArcLength, SourceAngle
-   * and SourceTextureCoordinates, at points that no path
-   * connects to the source, inside barriers and beyond MaximumDistance: +infinity (the default),
-   * which contours, thresholds and color maps can work with; NaN, which color maps show in a color
-   * of their own; or CustomUnreachedValue, for filters and files that need finite numbers. A
-   * surface that is warped by the distance is not drawn at all with infinity, and where it is
-   * reached with NaN. Nothing else depends on this: the other arrays say which points are not
-   * reached in their own ways.
+   * and SourceTextureCoordinates, at points that no path connects to the source, inside barriers
+   * and beyond MaximumDistance: +infinity (the default), NaN, or CustomUnreachedValue, for filters
+   * and files that need finite numbers. The other arrays say which points are not reached in their
+   * own ways.
    */
   vtkSetClampMacro(UnreachedValue, int, UNREACHED_INFINITY, UNREACHED_CUSTOM);
   vtkGetMacro(UnreachedValue, int);
@@ -295,10 +278,8 @@ public:
    * source, are numbered after these. -1 where a point is not reached. Off by default. Output port
    * 1 always has a cell array of that name and meaning.
    *
-   * If several shortest paths tie, all arrays describe the same one of them. They never change the
-   * distance. In approximate mode all but DistanceGradient describe paths of the exact field, which
-   * is computed in addition: merged windows cannot prove that the named source is within
-   * RelativeError of the nearest.
+   * This and the arrays that follow never change the distance. In approximate mode all but
+   * DistanceGradient take the time of the exact field, too.
    */
   vtkSetMacro(GenerateSourceIds, bool);
   vtkGetMacro(GenerateSourceIds, bool);
@@ -318,10 +299,9 @@ public:
 
   ///@{
   /**
-   * Whether the output has the point array DistanceGradient (3 doubles): a unit vector away from
-   * the source, in the plane of the face that a shortest path (of the computed field) comes through
-   * to the point, of the last one that has an area; zero on the source and where a point is not
-   * reached. Off by default.
+   * Whether the output has the point array DistanceGradient (3 doubles): the unit vector away from
+   * the source along a shortest path (of the computed field), in the plane of the path's last face;
+   * zero on the source and where a point is not reached. Off by default.
    */
   vtkSetMacro(GenerateGradients, bool);
   vtkGetMacro(GenerateGradients, bool);
@@ -332,14 +312,10 @@ public:
   /**
    * Whether the output has the point array SignedGeodesicDistance: the distance, positive where a
    * shortest path meets the curve from the left of its direction, seen with the normals of the
-   * faces towards the viewer, and negative on its right. The sides of an open curve part behind its
-   * ends, in the middle of the directions there. Points and the boundary as sources have no sides:
-   * the distance from them is positive. 0 on the source, UnreachedValue where a point is not
-   * reached. Off by default.
-   *
-   * The sign jumps behind open ends and where paths from both sides tie:
-   * GetInterpolationErrorBound() does not cover this array. A surface with edges of three and more
-   * faces, or faces of opposite orientation side by side, is an error.
+   * faces towards the viewer, and negative on its right. The distance from points and from the
+   * boundary is positive. 0 on the source, UnreachedValue where a point is not reached. Off by
+   * default. GetInterpolationErrorBound() does not cover this array, whose sign jumps. A surface
+   * with edges of three and more faces, or faces of opposite orientation side by side, is an error.
    */
   vtkSetMacro(GenerateSignedDistance, bool);
   vtkGetMacro(GenerateSignedDistance, bool);
@@ -350,12 +326,8 @@ public:
   /**
    * Whether the output has the point array SourceArcLength: how far along its part of the source
    * the point ClosestSourcePoint is, as the length of the line from its first point, on the line as
-   * it lies on the surface. 0 for a point source; a polygon's outline is measured from its first
-   * point, a loop of the boundary from its first vertex. UnreachedValue where a point is not
-   * reached. Off by default. Output port 1 has a point array of the same name and meaning.
-   *
-   * With the (signed) distance this array gives each point coordinates along and across a curve.
-   * It jumps where the nearest part of the source changes, and where a closed line begins.
+   * it lies on the surface. 0 for a point source, UnreachedValue where a point is not reached. Off
+   * by default. Output port 1 has a point array of the same name and meaning.
    */
   vtkSetMacro(GenerateSourceArcLength, bool);
   vtkGetMacro(GenerateSourceArcLength, bool);
@@ -365,20 +337,14 @@ public:
   ///@{
   /**
    * Whether the output has the point array SourceAngle: the direction, in radians, in which a
-   * shortest path leaves ClosestSourcePoint, seen with the normals of the faces towards the viewer.
-   * Behind the vertices where a path bends it stays what it was at the source. 0 on the source,
-   * UnreachedValue where a point is not reached. Off by default.
-   * - Around a point source it is measured counterclockwise from the first axis of the point's
-   *   frame, from -pi to pi: in a face along its first edge, at a vertex along the edge that its
-   *   first face begins with there. The angles around a vertex are scaled to 2 pi in sum; on the
-   *   boundary they run from 0 to their own sum.
-   * - From a curve it is measured from the curve's direction, positive on its left: pi / 2 on the
-   *   left-hand side, -pi / 2 on the right-hand side. At a bend the directions between ahead and
-   *   back are scaled to pi on each side, at an end all of them to 2 pi.
+   * shortest path leaves ClosestSourcePoint, seen with the normals of the faces towards the viewer:
+   * around a point source counterclockwise from the first axis of the point's frame, from a curve
+   * from the curve's direction, positive on its left. 0 on the source, UnreachedValue where a point
+   * is not reached. Off by default.
    *
    * The output then also has the field data array SourceFrame with 9 components: for each part of
    * the source, by its SourceId, three unit vectors one after another: the direction of angle 0,
-   * the one of pi / 2, and the normal. Of a curve they belong to its first segment.
+   * the one of pi / 2, and the normal.
    */
   vtkSetMacro(GenerateSourceAngle, bool);
   vtkGetMacro(GenerateSourceAngle, bool);
@@ -388,16 +354,11 @@ public:
   ///@{
   /**
    * Whether the output has the point array SourceTextureCoordinates, as active texture coordinates
-   * (u, v), so that a texture shows at once: around a curve u is SourceArcLength and v is
-   * SignedGeodesicDistance, around a point source they are the distance times the cosine and the
-   * sine of SourceAngle (the logarithmic map), all divided by the length of a tile: see
-   * SetTextureScale(). UnreachedValue, twice, where a point is not reached. Off by default.
-   *
-   * The surface must be oriented as for SetGenerateSignedDistance(). u and v jump where shortest
-   * paths from different places of the source meet, and a texture is distorted in the triangles
-   * across such a border. With RefineMesh these are split as by RefineSourceBorders, which need not
-   * be on; but borders between paths from one point, or from one side of a curve, are not. Behind
-   * an open end of a curve u is constant.
+   * (u, v): around a curve SourceArcLength and SignedGeodesicDistance, around a point source the
+   * distance times the cosine and the sine of SourceAngle (the logarithmic map), all divided by
+   * TextureScale. UnreachedValue, twice, where a point is not reached. Off by default. With
+   * RefineMesh triangles are split as by RefineSourceBorders, which need not be on. The surface
+   * must be oriented as for SetGenerateSignedDistance().
    */
   vtkSetMacro(GenerateTextureCoordinates, bool);
   vtkGetMacro(GenerateTextureCoordinates, bool);
@@ -424,9 +385,8 @@ public:
 
   ///@{
   /**
-   * After an execution: the length of the source on the surface, which is that of all its curves
-   * (and loops of the boundary) together; 0 for points. For a curve of two points it is the
-   * distance between them along the surface, as they are joined by a shortest path.
+   * After an execution: the length on the surface of all curves (and loops of the boundary) of the
+   * source together; 0 for points.
    */
   vtkGetMacro(SourceLength, double);
   ///@}
@@ -451,12 +411,9 @@ public:
   /**
    * After an execution with RefineMesh: what is certified about the difference between the linear
    * interpolant of the output and the computed distance, anywhere on triangles that are reached and
-   * have a point within MaximumDistance, in the units of the surface. The interpolant at a point of
-   * a triangle, as its points are stored, is compared with the distance at the closest point of the
-   * cell that the triangle is a part of (OriginalCellIds), so that the rounding of coordinates
-   * counts. At most the tolerance, unless MaximumNumberOfCells was reached, or the tolerance is
-   * near the rounding of distances or of coordinates; a warning tells of each. Where the surface
-   * was not refined nothing is certified, and it is infinite.
+   * have a point within MaximumDistance, in the units of the surface. At most the tolerance, unless
+   * MaximumNumberOfCells was reached, or the tolerance is near the rounding of distances or of
+   * coordinates; a warning tells of each. Infinite where the surface was not refined.
    */
   vtkGetMacro(InterpolationErrorBound, double);
   ///@}

@@ -51,14 +51,14 @@ struct UninitializedAllocator : std::allocator<Value>
   };
 
   template <typename Element>
-  void construct(Element* place) noexcept
+  void construct(Element* where) noexcept
   {
-    ::new (static_cast<void*>(place)) Element;
+    ::new (static_cast<void*>(where)) Element;
   }
   template <typename Element, typename... Arguments>
-  void construct(Element* place, Arguments&&... arguments)
+  void construct(Element* where, Arguments&&... arguments)
   {
-    ::new (static_cast<void*>(place)) Element{ std::forward<Arguments>(arguments)... };
+    ::new (static_cast<void*>(where)) Element{ std::forward<Arguments>(arguments)... };
   }
 };
 

@@ -65,7 +65,7 @@ constexpr bool areInOrder()
   }
   return true;
 }
-static_assert(areInOrder(), "rowOf() finds rows by their place");
+static_assert(areInOrder(), "rowOf() finds rows by their number");
 
 constexpr const StageRow& rowOf(Stage stage)
 {

@@ -5,7 +5,7 @@
 #include "Job.h"
 #include "PolyData/Hash.h"
 #include "PolyData/PolyDataBlocks.h"
-#include "PolyData/reading/PolyDataSurface.h"
+#include "PolyData/reading/SurfaceReader.h"
 #include "paths/JoinPoints.h"
 #include "source/PolylineLocator.h"
 

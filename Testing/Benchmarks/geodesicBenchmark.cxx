@@ -7,8 +7,8 @@
 #include "BenchmarkQueries.h"
 #include "BenchmarkTasks.h"
 
-#include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/SourcesAndTargets.h"
+#include "PolyData/reading/SurfaceReader.h"
 #include "ThreadTeam.h"
 #include "field/DistanceField.h"
 #include "field/SegmentEnvelope.h"

@@ -38,7 +38,7 @@ double angleOfChord(double radius, double chordTolerance)
 }
 
 /// The face or a part of it.
-struct Part
+struct FacePart
 {
   std::array<Vec2, 3> corners;
   std::vector<OutlinePoint> outline;
@@ -66,7 +66,7 @@ void addTo(std::vector<OutlinePoint>& outline, std::size_t edge, std::vector<Out
 class EndJoiner
 {
 public:
-  EndJoiner(const FaceLevel& level, const Part& part, const std::vector<Remainder>& remainders,
+  EndJoiner(const FaceLevel& level, const FacePart& part, const std::vector<Remainder>& remainders,
     const Job& job)
     : level_(level)
     , job_(job)
@@ -187,8 +187,8 @@ void follow(const Remainder& remainder, double chordTolerance, Line& line)
     const auto count = static_cast<std::size_t>(chords);
     for (std::size_t i = 1; i < count; ++i)
     {
-      const double place = tangent(0.5 * (first + static_cast<double>(i) / chords * angle));
-      line.push_back({ curve.at(place), NoId, sagitta });
+      const double parameter = tangent(0.5 * (first + static_cast<double>(i) / chords * angle));
+      line.push_back({ curve.at(parameter), NoId, sagitta });
     }
   }
   line.push_back({ curve.at(remainder.end) });
@@ -232,7 +232,7 @@ public:
   std::size_t numberOfParts = 1;
 
   /// Draws the part without cutting it. Returns whether that was possible.
-  bool drawAtOnce(const Part& part)
+  bool drawAtOnce(const FacePart& part)
   {
     if (part.outline.empty() && part.below &&
       this->task.arrangement.isWithinOneRegion(part.corners))
@@ -249,7 +249,7 @@ public:
   }
 
   /// Cuts a part in four, which share points on the segments between them.
-  void split(const Part& part)
+  void split(const FacePart& part)
   {
     std::array<Vec2, 3> middles;
     std::array<bool, 3> cornerBelow{};
@@ -272,9 +272,9 @@ public:
         halves[k][isBefore ? 0 : 1].push_back(*point);
       }
     }
-    std::array<Part, 4> parts;
+    std::array<FacePart, 4> parts;
     this->numberOfParts += parts.size();
-    Part& center = parts[3];
+    FacePart& center = parts[3];
     center = { middles, {}, middleBelow[0], part.depth + 1 };
     std::array<std::vector<OutlinePoint>, 3> cuts;
     for (std::size_t k = 0; k < 3; ++k)
@@ -282,7 +282,7 @@ public:
       const std::size_t before = (k + 2) % 3;
       cuts[k] =
         this->pointsBetween(middles[k], middles[before], middleBelow[k], middleBelow[before]);
-      Part& corner = parts[k];
+      FacePart& corner = parts[k];
       corner = { { part.corners[k], middles[k], middles[before] }, {}, cornerBelow[k],
         part.depth + 1 };
       addTo(corner.outline, 0, halves[k][0]);
@@ -293,14 +293,14 @@ public:
     {
       addTo(center.outline, k, cuts[(k + 1) % 3], true);
     }
-    for (const Part& each : parts)
+    for (const FacePart& each : parts)
     {
       this->drawPart(each);
     }
   }
 
 private:
-  void drawPart(const Part& part)
+  void drawPart(const FacePart& part)
   {
     if (this->drawAtOnce(part))
     {
@@ -318,7 +318,7 @@ private:
 
   /// Adds first the lines that cross the part, then the closed ones that are left. Each owner
   /// follows at most one other, and none follows an entry, so that no other loop is possible.
-  void addLines(const Part& part, const std::vector<Remainder>& remainders,
+  void addLines(const FacePart& part, const std::vector<Remainder>& remainders,
     const std::vector<std::size_t>& next)
   {
     std::vector<std::uint8_t> used(remainders.size(), 0);
@@ -417,7 +417,7 @@ private:
   }
 
   /// Joins each entry to the exit beside it, so that no two lines cross.
-  void crossStraight(const Part& part)
+  void crossStraight(const FacePart& part)
   {
     IsolinePieces& result = this->task.result;
     ++result.partsCrossedStraight;
@@ -443,7 +443,7 @@ void drawInFace(const FaceDistance& face, double level, Id valueId,
   const std::vector<OutlinePoint>& outline, bool below, IsolineTask& task)
 {
   const FaceLevel faceLevel(face, level);
-  const Part whole = { faceLevel.corners, outline, below, 0 };
+  const FacePart whole = { faceLevel.corners, outline, below, 0 };
   FaceDrawing drawing{ faceLevel, valueId, task };
   for (const bool withBent : { false, true })
   {

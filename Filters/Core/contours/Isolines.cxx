@@ -37,38 +37,54 @@ void checkOptions(const IsolineOptions& options)
   }
 }
 
-// Corrects a place that was found on an envelope: windows of an envelope may differ where they
-// meet, by tolerance::JointFraction. Then the distance in the face decides.
+/// Where a function changes its sign between `a` and `b`, at which it has different signs, by
+/// bisection: the last place on b's side.
+template <typename Function>
+double changeOfSign(double a, double b, const Function& function)
+{
+  constexpr int halvings = 60;
+  const bool isNegativeAtA = function(a) < 0.0;
+  for (int i = 0; i < halvings; ++i)
+  {
+    const double middle = 0.5 * (a + b);
+    if ((function(middle) < 0.0) == isNegativeAtA)
+    {
+      a = middle;
+    }
+    else
+    {
+      b = middle;
+    }
+  }
+  return b;
+}
+
+// Corrects the x on an edge that was found on an envelope: windows of an envelope may differ where
+// they meet, by tolerance::JointFraction. Then the distance in the face decides.
 //
 // \param line of the edge, from its begin.
-double placeByDistance(
-  const FaceDistance& face, const PlaneLine& line, double length, double level, double place)
+double crossingByDistance(
+  const FaceDistance& face, const PlaneLine& line, double length, double level, double found)
 {
   const auto above = [&](double x) { return face.distance(line.point + x * line.along) - level; };
-  const double off = above(place);
+  const double off = above(found);
   if (std::abs(off) <= tolerance::IsolineValue * (level + length))
   {
-    return place;
+    return found;
   }
   constexpr int doublings = 8;
-  double reach = std::abs(off);
-  for (int i = 0; i < doublings; ++i, reach *= 2.0)
+  double step = std::abs(off);
+  for (int i = 0; i < doublings; ++i, step *= 2.0)
   {
-    for (double other : { std::max(0.0, place - reach), std::min(length, place + reach) })
+    for (const double other : { std::max(0.0, found - step), std::min(length, found + step) })
     {
       if ((above(other) < 0.0) != (off < 0.0))
       {
-        constexpr int halvings = 60;
-        for (int k = 0; k < halvings; ++k)
-        {
-          const double middle = 0.5 * (place + other);
-          ((above(middle) < 0.0) == (off < 0.0) ? place : other) = middle;
-        }
-        return other;
+        return changeOfSign(found, other, above);
       }
     }
   }
-  return place;
+  return found;
 }
 
 class IsolineDrawing
@@ -212,7 +228,7 @@ private:
         for (const SegmentCrossing& crossing : crossings)
         {
           const double at =
-            placeByDistance(*distance, line, length, this->levels_[value], crossing.at);
+            crossingByDistance(*distance, line, length, this->levels_[value], crossing.at);
           const double fraction = length > 0.0 ? std::min(1.0, at / length) : 0.5;
           points.push_back({ halfedge, static_cast<Id>(value), fraction, crossing.rises });
         }

@@ -171,9 +171,9 @@ void LevelArrangement::cutByRegions(
   this->job_.look();
   double begin = first;
   bool goesOn = false;
-  for (const double place : this->atRegions_)
+  for (const double parameter : this->atRegions_)
   {
-    const double end = std::min(place, last);
+    const double end = std::min(parameter, last);
     if (end > begin)
     {
       const bool isOutside = this->remains(curve.at(0.5 * (begin + end)));

@@ -47,20 +47,20 @@ void addArcs(std::size_t candidate, Vec2 center, double radius, Vec2 axis, doubl
   }
 }
 
-void addPlace(const LevelCurve& curve, Vec2 p, std::vector<double>& places)
+void addParameter(const LevelCurve& curve, Vec2 p, std::vector<double>& parameters)
 {
   const Vec2 v = p - curve.origin;
   const double along = dot(curve.axis, v);
   const double t = curve.isArc ? cross(v, curve.axis) / std::max(along + curve.radius, 0.0) : along;
   if (t > 0.0 && t < curve.extent)
   {
-    places.push_back(t);
+    parameters.push_back(t);
   }
 }
 
-/// Appends the places where a line meets a circle; one of them is the curve's.
+/// Appends the parameters where a line meets a circle; one of them is the curve's.
 void addLineWithCircle(const PlaneLine& line, Vec2 center, double radius, const LevelCurve& curve,
-  std::vector<double>& places)
+  std::vector<double>& parameters)
 {
   const Vec2 toCenter = center - line.point;
   const double aside = line.aside(center);
@@ -71,18 +71,18 @@ void addLineWithCircle(const PlaneLine& line, Vec2 center, double radius, const 
     const double half = std::sqrt(squared);
     for (const double along : { foot - half, foot + half })
     {
-      addPlace(curve, line.point + along * line.along, places);
+      addParameter(curve, line.point + along * line.along, parameters);
     }
   }
 }
 
-/// Appends the places on the curve where it meets a circle, in no order.
+/// Appends the parameters on the curve where it meets a circle, in no order.
 void addMeetingsWithCircle(
-  const LevelCurve& curve, Vec2 center, double radius, std::vector<double>& places)
+  const LevelCurve& curve, Vec2 center, double radius, std::vector<double>& parameters)
 {
   if (!curve.isArc)
   {
-    addLineWithCircle({ curve.origin, curve.axis }, center, radius, curve, places);
+    addLineWithCircle({ curve.origin, curve.axis }, center, radius, curve, parameters);
     return;
   }
   const Vec2 toCenter = center - curve.origin;
@@ -99,8 +99,8 @@ void addMeetingsWithCircle(
     const Vec2 axis = (1.0 / between) * toCenter;
     const Vec2 foot = curve.origin + along * axis;
     const Vec2 aside = std::sqrt(squared) * leftOf(axis);
-    addPlace(curve, foot + aside, places);
-    addPlace(curve, foot - aside, places);
+    addParameter(curve, foot + aside, parameters);
+    addParameter(curve, foot - aside, parameters);
   }
 }
 
@@ -124,18 +124,18 @@ Vec2 LevelCurve::at(double t) const
                      : this->origin + t * this->axis;
 }
 
-void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<double>& places)
+void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<double>& parameters)
 {
   if (curve.isArc)
   {
-    addLineWithCircle(line, curve.origin, curve.radius, curve, places);
+    addLineWithCircle(line, curve.origin, curve.radius, curve, parameters);
     return;
   }
   const double slope = cross(line.along, curve.axis);
   if (slope != 0.0)
   {
     const double t = cross(line.along, line.point - curve.origin) / slope;
-    addPlace(curve, curve.at(t), places);
+    addParameter(curve, curve.at(t), parameters);
   }
 }
 
@@ -253,15 +253,18 @@ void LevelRegion::addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves
 // From the margin before the one ray to that behind the other; the rays pass through the centre.
 void LevelRegion::addArc(std::vector<LevelCurve>& curves) const
 {
+  // The margin is known to far fewer digits than two terms of the series have below this.
+  constexpr double smallSine = 1e-3;
+  constexpr double smallAngle = 0.1;
   const double sine = this->margin_ / this->level_;
   const double beyond =
-    sine < 1e-3 ? sine * (1.0 + sine * sine / 6.0) : arcSine(std::min(1.0, sine));
+    sine < smallSine ? sine * (1.0 + sine * sine / 6.0) : arcSine(std::min(1.0, sine));
   const Vec2 first = this->rays_[0].along;
   const Vec2 last = -1.0 * this->rays_[1].along;
   const Vec2 axis = turnedClockwise(first, -tangent(0.5 * beyond));
   const double cosine = dot(first, last);
   const double side = cross(last, first);
-  if (cosine > 0.0 && beyond < 0.1)
+  if (cosine > 0.0 && beyond < smallAngle)
   {
     // A narrow pencil. Rays that nearly coincide may seem to turn the other way.
     const double half = std::max(0.0, side / (1.0 + cosine));
@@ -280,30 +283,30 @@ void LevelRegion::addArc(std::vector<LevelCurve>& curves) const
     this->number_, this->candidate_.source, this->level_, axis, std::min(angle, 2.0 * Pi), curves);
 }
 
-void LevelRegion::addMeetings(const LevelCurve& curve, std::vector<double>& places) const
+void LevelRegion::addMeetings(const LevelCurve& curve, std::vector<double>& parameters) const
 {
   const DistanceCandidate& c = this->candidate_;
   for (const PlaneLine& ray : this->rays())
   {
     geodesic::addMeetings(
-      curve, { ray.point + this->margin_ * leftOf(ray.along), ray.along }, places);
+      curve, { ray.point + this->margin_ * leftOf(ray.along), ray.along }, parameters);
   }
   if (c.kind == DistanceCandidate::Kind::Linear)
   {
-    geodesic::addMeetings(curve, { this->level_ * c.source, leftOf(c.source) }, places);
+    geodesic::addMeetings(curve, { this->level_ * c.source, leftOf(c.source) }, parameters);
   }
   else if (c.kind == DistanceCandidate::Kind::Segment)
   {
     const Vec2 along = unitOr(c.end - c.begin, { 1.0, 0.0 });
     const Vec2 aside = this->level_ * leftOf(along);
-    geodesic::addMeetings(curve, { c.begin + aside, along }, places);
-    geodesic::addMeetings(curve, { c.begin - aside, along }, places);
-    addMeetingsWithCircle(curve, c.begin, this->level_, places);
-    addMeetingsWithCircle(curve, c.end, this->level_, places);
+    geodesic::addMeetings(curve, { c.begin + aside, along }, parameters);
+    geodesic::addMeetings(curve, { c.begin - aside, along }, parameters);
+    addMeetingsWithCircle(curve, c.begin, this->level_, parameters);
+    addMeetingsWithCircle(curve, c.end, this->level_, parameters);
   }
   else
   {
-    addMeetingsWithCircle(curve, c.source, this->level_, places);
+    addMeetingsWithCircle(curve, c.source, this->level_, parameters);
   }
 }
 

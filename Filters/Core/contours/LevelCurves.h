@@ -72,8 +72,8 @@ struct PlaneLine
   }
 };
 
-/// Appends the places on the curve where it meets a line, in no order.
-void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<double>& places);
+/// Appends the parameters on the curve where it meets a line, in no order.
+void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<double>& parameters);
 
 /// The points that one distance candidate reaches straight within a value: a convex region bounded
 /// by the rays at the ends of the candidate's window and by level curves.
@@ -92,8 +92,8 @@ public:
   /// Whether one of the lines that bound the region separates it from a box. If not, it may miss
   /// the box nevertheless.
   bool misses(const PlaneBox& box) const;
-  /// Appends the places where a curve may enter or leave the region, and others.
-  void addMeetings(const LevelCurve& curve, std::vector<double>& places) const;
+  /// Appends the parameters where a curve may enter or leave the region, and others.
+  void addMeetings(const LevelCurve& curve, std::vector<double>& parameters) const;
 
 private:
   ArrayRange<PlaneLine> rays() const

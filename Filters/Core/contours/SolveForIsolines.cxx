@@ -31,7 +31,7 @@ public:
     : surface_(surface)
     , values_(values)
     , pinned_(pinned)
-    , reach_(values.back() * (1.0 + tolerance::BoundMargin))
+    , neededDistance_(values.back() * (1.0 + tolerance::BoundMargin))
     , hasSource_(surface.mesh().numberOfFaces(), 0)
   {
     this->kept_.faces.assign(surface.mesh().numberOfFaces(), 0);
@@ -40,7 +40,7 @@ public:
   }
 
   bool needsInside() const override { return true; }
-  double reach() const override { return this->reach_; }
+  double neededDistance() const override { return this->neededDistance_; }
   void start(std::size_t districts, const std::vector<SourceInFace>& sources) override
   {
     this->passed_.resize(districts);
@@ -59,7 +59,8 @@ public:
     this->takePassed(front);
     for (Id face = this->surface_.firstOwnFace(); face < this->surface_.endOfOwnFaces(); ++face)
     {
-      if (!this->kept_.faces[face] && this->mayHoldValue(face, front.distances, this->reach_))
+      if (!this->kept_.faces[face] &&
+        this->mayHoldValue(face, front.distances, this->neededDistance_))
       {
         this->droppedTooEarly_.push_back(face);
       }
@@ -80,11 +81,11 @@ private:
       .holdsOneOf(this->values_);
   }
 
-  // Distances beyond the front may still fall, down to its key. Beyond the reach they are never
-  // final.
+  // Distances beyond the front may still fall, down to its key. Beyond the needed distance they are
+  // never final.
   void takePassed(const FrontState& front)
   {
-    const double certain = std::min(front.key, this->reach_);
+    const double certain = std::min(front.key, this->neededDistance_);
     for (std::vector<PassedList>& lists : this->passed_)
     {
       for (const PassedList& list : lists)
@@ -107,7 +108,7 @@ private:
   const MeshPartition& surface_;
   const std::vector<double>& values_;
   const std::vector<std::uint8_t>& pinned_;
-  double reach_;
+  double neededDistance_;
   std::vector<std::uint8_t> hasSource_;
   /// The lists that each district has handed over in this batch.
   std::vector<std::vector<PassedList>> passed_;

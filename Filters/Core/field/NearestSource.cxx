@@ -26,7 +26,7 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
     const Id vertex = part.countedVertex(patch.globalId(on.vertex));
     if (vertex != NoId)
     {
-      this->origins_[vertex] = this->atPoint({ on.curve, false, on.place }, Infinity);
+      this->origins_[vertex] = this->atPoint({ on.curve, false, on.parameter }, Infinity);
     }
   }
   for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)
@@ -140,40 +140,41 @@ PathOrigin NearestSource::atSource(const IncomingSegment& piece)
   const SourceInFace& source = piece.source;
   if (piece.along > 0.0 && piece.along < 1.0)
   {
-    const double place = source.placeOfA + piece.along * (source.placeOfB - source.placeOfA);
+    const double parameter =
+      source.parameterOfA + piece.along * (source.parameterOfB - source.parameterOfA);
     const Vec2 along = inHalfedgeFrame(this->mesh_, piece.ray.halfedge, source.b) -
       inHalfedgeFrame(this->mesh_, piece.ray.halfedge, source.a);
     const bool isRight = cross(along, piece.ray.direction) < 0.0;
-    return { RayOrigin::curveSide(source.curve, isRight), RayStart::atPlace(place) };
+    return { RayOrigin::curveSide(source.curve, isRight), RayStart::atParameter(parameter) };
   }
-  const double place = piece.along > 0.0 ? source.placeOfB : source.placeOfA;
-  this->goToPoint(this->curves_.chains().pointAt(source.curve, place));
+  const double parameter = piece.along > 0.0 ? source.parameterOfB : source.parameterOfA;
+  this->goToPoint(this->curves_.chains().pointAt(source.curve, parameter));
   return this->inSector(piece);
 }
 
 // The curve and the side to which the piece's direction belongs at the current point.
-PathOrigin NearestSource::inSector(const IncomingSegment& piece) const
+PathOrigin NearestSource::inSector(const IncomingSegment& piece)
 {
   const Id face = this->curves_.patch().faceAt(
     this->field_.surface().addressOf(TriangleMesh::faceOf(piece.ray.halfedge)));
   const Id halfedge = TriangleMesh::inCopy(piece.ray.halfedge, face);
-  const PlaceOnSide side = this->sectors_.of(halfedge, piece.ray.direction);
+  const SideOfCurve side = this->sectors_.of(halfedge, piece.ray.direction);
   double around = Infinity;
   if (this->field_.hasAngles() && dot(piece.ray.direction, piece.ray.direction) > 0.0)
   {
-    this->goAround(this->curves_.chains().pointAt(side.curve, side.place));
+    this->goAround(this->curves_.chains().pointAt(side.curve, side.parameter));
     around = this->directions_.around(halfedge, piece.ray.direction);
   }
   return this->atPoint(side, around);
 }
 
-PathOrigin NearestSource::atPoint(const PlaceOnSide& side, double around) const
+PathOrigin NearestSource::atPoint(const SideOfCurve& side, double around) const
 {
-  const Id point = this->curves_.chains().pointAt(side.curve, side.place);
+  const Id point = this->curves_.chains().pointAt(side.curve, side.parameter);
   return { RayOrigin::pointSide(point, side.isRight), RayStart::atAngle(around) };
 }
 
-void NearestSource::goAround(Id number) const
+void NearestSource::goAround(Id number)
 {
   if (number != this->directionsPoint_)
   {
@@ -205,7 +206,7 @@ void NearestSource::goToVertex(Id vertex)
   {
     const VertexOnCurve& on = *this->curves_.find(vertex);
     this->sectors_.assign(
-      SurfacePoint::atVertex(vertex), this->curves_.endsAround(vertex), on.curve, on.place);
+      SurfacePoint::atVertex(vertex), this->curves_.endsAround(vertex), on.curve, on.parameter);
     this->sectorsVertex_ = vertex;
   }
 }
@@ -219,8 +220,8 @@ void NearestSource::goToPoint(Id number)
     return;
   }
   const CurveChains::Point point = this->curves_.chains().pointWith(number);
-  const double place = this->curves_.chains().places(point.chain)[point.i];
-  this->sectors_.assign(at.point, at.ends, point.chain, place);
+  const double parameter = this->curves_.chains().parameters(point.chain)[point.i];
+  this->sectors_.assign(at.point, at.ends, point.chain, parameter);
   this->sectorsVertex_ = NoId;
 }
 
@@ -236,34 +237,34 @@ Foot NearestSource::footOf(const PathOrigin& path) const
   {
     const CurveChains::Point point = chains.pointWith(path.origin.point());
     foot.chain = point.chain;
-    foot.place = chains.places(point.chain)[point.i];
+    foot.parameter = chains.parameters(point.chain)[point.i];
     foot.around = path.start.angle();
   }
   else
   {
     foot.chain = path.origin.curve();
-    foot.place = path.start.place();
+    foot.parameter = path.start.parameter();
   }
-  foot.curve = chains.curveAt(foot.chain, foot.place);
-  foot.isRight = path.origin.isRight() != chains.partOf(foot.curve).isReversed;
+  foot.curve = chains.curveAt(foot.chain, foot.parameter);
+  foot.isRight = path.origin.isRight() != chains.inChain(foot.curve).isReversed;
   return foot;
 }
 
 SurfacePoint NearestSource::pointOf(const Foot& foot) const
 {
   const SourceCurve& curve = this->curves_.chains().curves()[foot.chain];
-  const std::vector<double>& places = this->curves_.chains().places(foot.chain);
-  const auto behind = std::upper_bound(places.begin(), places.end(), foot.place);
-  if (behind == places.begin())
+  const std::vector<double>& parameters = this->curves_.chains().parameters(foot.chain);
+  const auto behind = std::upper_bound(parameters.begin(), parameters.end(), foot.parameter);
+  if (behind == parameters.begin())
   {
     return curve.points.front();
   }
-  const auto i = static_cast<std::size_t>(behind - places.begin()) - 1;
-  if (i + 1 == places.size() || foot.place == places[i])
+  const auto i = static_cast<std::size_t>(behind - parameters.begin()) - 1;
+  if (i + 1 == parameters.size() || foot.parameter == parameters[i])
   {
     return curve.points[i];
   }
-  const double t = (foot.place - places[i]) / (places[i + 1] - places[i]);
+  const double t = (foot.parameter - parameters[i]) / (parameters[i + 1] - parameters[i]);
   const Id face = curve.faces[i];
   const Barycentric a = barycentric(this->meshOfCurves(), curve.points[i], face);
   const Barycentric b = barycentric(this->meshOfCurves(), curve.points[i + 1], face);
@@ -272,12 +273,12 @@ SurfacePoint NearestSource::pointOf(const Foot& foot) const
 
 std::vector<double> NearestSource::arcLengthsOf(Id curve) const
 {
-  const CurveChains::Part& part = this->curves_.chains().partOf(curve);
-  const std::vector<double>& places = this->curves_.chains().places(part.chain);
+  const CurveChains::CurveInChain& part = this->curves_.chains().inChain(curve);
+  const std::vector<double>& parameters = this->curves_.chains().parameters(part.chain);
   std::vector<double> lengths;
   for (std::size_t i = part.begin; i <= part.end; ++i)
   {
-    lengths.push_back(this->curves_.chains().arcLength(curve, places[i]));
+    lengths.push_back(this->curves_.chains().arcLength(curve, parameters[i]));
   }
   if (part.isReversed)
   {
@@ -286,7 +287,7 @@ std::vector<double> NearestSource::arcLengthsOf(Id curve) const
   return lengths;
 }
 
-double NearestSource::angleOf(const Foot& foot) const
+double NearestSource::angleOf(const Foot& foot)
 {
   if (!this->field_.hasAngles())
   {
@@ -300,7 +301,7 @@ double NearestSource::angleOf(const Foot& foot) const
   {
     return 0.0;
   }
-  this->goAround(this->curves_.chains().pointAt(foot.chain, foot.place));
+  this->goAround(this->curves_.chains().pointAt(foot.chain, foot.parameter));
   return this->curves_.chains().angleFrom(foot.curve, this->directions_.angleOf(foot.around));
 }
 

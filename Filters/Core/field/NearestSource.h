@@ -24,9 +24,9 @@ struct Foot
   /// source that is a point has a left-hand side only. For points on the curve the side is
   /// arbitrary.
   bool isRight = false;
-  /// The chain that contains the curve, and the place along it: the length from its beginning.
+  /// The chain that contains the curve, and the parameter there: the length from its beginning.
   Id chain = NoId;
-  double place = 0.0;
+  double parameter = 0.0;
   /// If the path leaves a point of the curve: its angle around the point, not scaled
   /// (DirectionsAround::around()). NaN if it leaves a segment at a right angle, infinite if it has
   /// no direction.
@@ -77,7 +77,7 @@ public:
   /// The length along the foot's curve from the curve's first point to pointOf(); 0 for a point.
   double arcLengthOf(const Foot& foot) const
   {
-    return this->curves_.chains().arcLength(foot.curve, foot.place);
+    return this->curves_.chains().arcLength(foot.curve, foot.parameter);
   }
   /// The arc length of each point of a curve, bit by bit that of a foot there. The last point of a
   /// closed curve has the whole length.
@@ -108,7 +108,7 @@ public:
   /// Not thread-safe.
   ///
   /// \throws Error if the field's windows carry no angles (FrontOptions::keepAngles).
-  double angleOf(const Foot& foot) const;
+  double angleOf(const Foot& foot);
   /// The x axis of a single point's frame has the angle 0 in angleOf(). A curve's frame is that of
   /// its first segment: x along the segment, y to the left.
   SourceFrame frameOf(Id curve) const { return this->curves_.frameOf(curve); }
@@ -121,9 +121,9 @@ private:
   bool isFromCurve(const IncomingSegment& piece) const;
   PathOrigin originOf(const IncomingSegment& piece);
   PathOrigin atSource(const IncomingSegment& piece);
-  PathOrigin inSector(const IncomingSegment& piece) const;
-  PathOrigin atPoint(const PlaceOnSide& side, double around) const;
-  void goAround(Id point) const;
+  PathOrigin inSector(const IncomingSegment& piece);
+  PathOrigin atPoint(const SideOfCurve& side, double around) const;
+  void goAround(Id point);
   PathOrigin ofVertex(Id globalId) const;
   const VertexOnCurve* onCurveAt(Id globalId) const;
   void goToVertex(Id vertex);
@@ -142,8 +142,8 @@ private:
   CurveSectors sectors_;
   Id sectorsVertex_ = NoId;
   /// Around the point that was asked for last, and its number among the chains' points.
-  mutable DirectionsAround directions_;
-  mutable Id directionsPoint_ = NoId;
+  DirectionsAround directions_;
+  Id directionsPoint_ = NoId;
 };
 
 }

@@ -14,7 +14,7 @@ RetentionAround::RetentionAround(
   : KeepFaces(mesh, std::vector<std::uint8_t>(mesh.numberOfFaces(), 0))
   , targets_(targets)
   , limit_((1.0 + tolerance::Tie) * limit)
-  , reach_(this->limit_)
+  , neededDistance_(this->limit_)
 {
   for (SurfacePoint& target : this->targets_)
   {
@@ -88,8 +88,8 @@ void RetentionAround::advance(const FrontState& front)
   {
     farthest = std::max(farthest, this->upperBound(target, front.distances));
   }
-  this->reach_ = std::min((1.0 + tolerance::Tie) * farthest, this->limit_);
-  this->nextLook_ = front.key + 0.5 * std::max(0.0, this->reach_ - front.key);
+  this->neededDistance_ = std::min((1.0 + tolerance::Tie) * farthest, this->limit_);
+  this->nextLook_ = front.key + 0.5 * std::max(0.0, this->neededDistance_ - front.key);
 }
 
 }

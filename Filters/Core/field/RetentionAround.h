@@ -25,7 +25,7 @@ public:
   /// together before the front begins.
   void keepForPaths(const MeshPartition& part);
 
-  double reach() const override { return this->reach_; }
+  double neededDistance() const override { return this->neededDistance_; }
   void advance(const FrontState& front) override;
 
 private:
@@ -35,8 +35,8 @@ private:
   /// How many of the targets, from the first on, have a finite bound.
   std::size_t seen_ = 0;
   double limit_;
-  double reach_;
-  /// The key at which the reach is computed again.
+  double neededDistance_;
+  /// The key at which the needed distance is computed again.
   double nextLook_ = 0.0;
 };
 

@@ -223,7 +223,8 @@ void remember(const BatchTasks& tasks, FrontWorker& worker, District& district, 
   const WindowRange& passed)
 {
   const VertexState& apex = tasks.vertices[tasks.mesh.opposite(halfedge)];
-  const bool isAgain = apex.turns >= VertexState::UsualTurns || isInThinFace(tasks, halfedge);
+  const bool isAgain =
+    apex.timesProcessed >= VertexState::UsualTimes || isInThinFace(tasks, halfedge);
   if (isAgain && isNeededOn(tasks, district, halfedge))
   {
     const auto isNeeded = [&](Id other) { return isNeededOn(tasks, district, other); };
@@ -267,7 +268,7 @@ bool processVertex(BatchTasks& tasks, FrontWorker& worker, District& district, I
   const bool isDone = *link == NoId;
   if (isDone && isReached)
   {
-    state.countTurn();
+    state.countProcessing();
   }
   if (isDone && next < Infinity)
   {

@@ -80,8 +80,8 @@ public:
         const Triangle& t = this->mesh_.triangle(face);
         const auto [least, most] = std::minmax(
           { vertices.distance(t[0]), vertices.distance(t[1]), vertices.distance(t[2]) });
-        const double reach = least + this->mesh_.shape(face).longest();
-        bound = std::max(bound, inside ? reach : most);
+        const double mostInside = least + this->mesh_.shape(face).longest();
+        bound = std::max(bound, inside ? mostInside : most);
       }
     }
     return bound;

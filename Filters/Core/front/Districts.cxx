@@ -45,10 +45,10 @@ public:
 private:
   double side() const { return static_cast<double>(1U << this->levels_); }
 
-  // Spreads the bits of the box's number along an axis to every third place.
-  std::size_t spread(double place) const
+  // Spreads the bits of the box's number along an axis to every third coordinate.
+  std::size_t spread(double coordinate) const
   {
-    auto bits = static_cast<std::size_t>(std::clamp(place, 0.0, this->side() - 1.0));
+    auto bits = static_cast<std::size_t>(std::clamp(coordinate, 0.0, this->side() - 1.0));
     bits = (bits | bits << 8) & 0x300fU;
     bits = (bits | bits << 4) & 0x30c3U;
     return (bits | bits << 2) & 0x9249U;

@@ -46,17 +46,18 @@ public:
     , mesh_(surface.mesh())
     , options_(options)
     , retention_(retention)
-    , numbers_(mesh_, options.job)
+    , districtNumbers_(mesh_, options.job)
     , vertices_(mesh_, options.relativeError > 0.0, options.keepArrivals, options.job)
-    , outlooks_(numbers_.size())
+    , outlooks_(districtNumbers_.size())
     , complete_(surface, options.maximumDistance)
-    , mailboxes_(numbers_.size())
-    , tasks_{ surface, mesh_, options, numbers_, vertices_, complete_, mailboxes_, retention }
+    , mailboxes_(districtNumbers_.size())
+    , tasks_{ surface, mesh_, options, districtNumbers_, vertices_, complete_, mailboxes_,
+      retention }
     , workers_(options.job)
     , ranks_(tasks_, districts_, workers_.first().pool)
   {
-    this->districts_.reserve(this->numbers_.size());
-    for (Id number = 0; number < this->numbers_.size(); ++number)
+    this->districts_.reserve(this->districtNumbers_.size());
+    for (Id number = 0; number < this->districtNumbers_.size(); ++number)
     {
       this->districts_.emplace_back(number, this->vertices_, surface);
     }
@@ -91,8 +92,8 @@ private:
     std::stable_sort(initial.windows.begin(), initial.windows.end(),
       [this](const LeavingWindow& a, const LeavingWindow& b)
       {
-        return this->numbers_.blockOf(this->mesh_.origin(a.halfedge)) <
-          this->numbers_.blockOf(this->mesh_.origin(b.halfedge));
+        return this->districtNumbers_.blockOf(this->mesh_.origin(a.halfedge)) <
+          this->districtNumbers_.blockOf(this->mesh_.origin(b.halfedge));
       });
     for (const LeavingWindow& leaving : initial.windows)
     {
@@ -206,7 +207,7 @@ private:
     while (this->next_.least <= limit && this->next_.least < Infinity)
     {
       this->key_ = std::max(this->key_, this->next_.least);
-      if (this->isSettled())
+      if (this->hasAllNeeded())
       {
         return;
       }
@@ -216,7 +217,7 @@ private:
         [this, last](District& district)
         {
           district.schedule.takeBatch(last, district.batch);
-          this->numbers_.sort(district.batch);
+          this->districtNumbers_.sort(district.batch);
         });
       this->reportBatch();
     }
@@ -246,41 +247,41 @@ private:
     }
   }
 
-  // Whether nothing within the retention's reach is left to do. Windows within it may still wait
-  // for a far vertex. The front continues in its order until they have passed, so that distances
-  // within the reach have the bits of a front that goes everywhere.
-  bool isSettled()
+  // Whether nothing within the distance that the retention needs is left to do. Windows within it
+  // may still wait for a far vertex. The front continues in its order until they have passed, so
+  // that distances within it have the bits of a front that goes everywhere.
+  bool hasAllNeeded()
   {
-    return this->key_ > this->reach_ &&
-      !this->surface_.exchange().isTrueAnywhere(this->isAnyWithin(this->reach_));
+    return this->key_ > this->neededDistance_ &&
+      !this->surface_.exchange().isTrueAnywhere(this->isAnyWithin(this->neededDistance_));
   }
 
-  bool isAnyWithin(double reach)
+  bool isAnyWithin(double distance)
   {
-    if (this->unsettled_ != NoId && this->isWithin(this->unsettled_, reach))
+    if (this->vertexWithin_ != NoId && this->isWithin(this->vertexWithin_, distance))
     {
       return true;
     }
-    this->unsettled_ = NoId;
-    const auto isUnsettled = [&](Id vertex)
+    this->vertexWithin_ = NoId;
+    const auto isAnotherWithin = [&](Id vertex)
     {
-      const bool isWithin = this->isWithin(vertex, reach);
-      this->unsettled_ = isWithin ? vertex : this->unsettled_;
+      const bool isWithin = this->isWithin(vertex, distance);
+      this->vertexWithin_ = isWithin ? vertex : this->vertexWithin_;
       return isWithin;
     };
     return std::any_of(this->districts_.begin(), this->districts_.end(),
-      [&](const District& district) { return district.schedule.isAnyWaiting(isUnsettled); });
+      [&](const District& district) { return district.schedule.isAnyWaiting(isAnotherWithin); });
   }
 
   // Whether a waiting vertex has windows within a distance, or will emit some.
-  bool isWithin(Id vertex, double reach)
+  bool isWithin(Id vertex, double distance)
   {
     const VertexState& state = this->vertices_[vertex];
     const WaitingLists& lists = this->districtOf(vertex).lists;
-    bool isWithin = state.isShorter() && state.distance <= reach;
+    bool isWithin = state.isShorter() && state.distance <= distance;
     for (Id list = state.facing; list != NoId && !isWithin; list = lists[list].next)
     {
-      isWithin = isAnyWindowWithin(lists[list].windows.range(), reach);
+      isWithin = isAnyWindowWithin(lists[list].windows.range(), distance);
     }
     return isWithin;
   }
@@ -324,8 +325,8 @@ private:
     }
   }
 
-  /// Runs a step of a batch in all active districts, in turns; workers pause so that the watcher
-  /// can be told. In each turn some worker finishes at least one list, so the loop ends.
+  /// Runs a step of a batch in all active districts, in rounds; workers pause so that the watcher
+  /// can be told. In each round some worker finishes at least one list, so the loop ends.
   ///
   /// \param begin (District&) -> void, called once per district.
   /// \param task (FrontWorker&, District&) -> void, called until the district is done.
@@ -392,7 +393,7 @@ private:
     this->takeFromRanks(this->ranks_.exchangeArrivals(this->next_));
     this->retention_.advance(this->state());
     this->tasks_.limitPaths(this->retention_.longestPath());
-    this->reach_ = this->ranks_.reach();
+    this->neededDistance_ = this->ranks_.neededDistance();
   }
 
   void reportShortened(District& district)
@@ -442,7 +443,7 @@ private:
     this->mailboxes_.notify(district.number);
   }
 
-  District& districtOf(Id vertex) { return this->districts_[this->numbers_.of(vertex)]; }
+  District& districtOf(Id vertex) { return this->districts_[this->districtNumbers_.of(vertex)]; }
 
   // A face that contains a point within the limit has exact values when no waiting window and no
   // pseudo-source is nearer than the farthest of them. No retention needs the lists that still wait
@@ -492,7 +493,7 @@ private:
           vertices.push_back(this->mesh_.opposite(list.halfedge));
         }
       });
-    this->numbers_.sort(vertices);
+    this->districtNumbers_.sort(vertices);
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   }
 
@@ -527,7 +528,7 @@ private:
   Retention& retention_;
   FrontResult result_;
 
-  Districts numbers_;
+  Districts districtNumbers_;
   VertexStates vertices_;
   std::vector<District> districts_;
   /// The next batch of each district.
@@ -547,11 +548,12 @@ private:
   double key_ = 0.0;
   /// Districts that work in the current step.
   std::vector<Id> active_;
-  /// The next batch over all districts and ranks, and the largest reach of their retentions.
+  /// The next batch over all districts and ranks, and the largest distance that their retentions
+  /// need.
   VertexSchedule::Outlook next_;
-  double reach_ = Infinity;
-  /// A vertex that recently had windows within the retention's reach.
-  Id unsettled_ = NoId;
+  double neededDistance_ = Infinity;
+  /// A vertex that recently had windows within the needed distance.
+  Id vertexWithin_ = NoId;
   std::vector<WindowPool*> pools_;
   std::uint64_t windowsHandled_ = 0;
   /// See reportBatch().

@@ -75,18 +75,19 @@ std::vector<DistanceUpdate> FrontOnRanks::exchangeArrivals(VertexSchedule::Outlo
     }
     district.toRanks.arrivals.clear();
   }
-  std::vector<double> least = { next.least, next.last, -this->tasks_.retention.reach() };
+  std::vector<double> least = { next.least, next.last, -this->tasks_.retention.neededDistance() };
   Received received = this->step(least);
   next = { least[0], least[1] };
-  this->reach_ = -least[2];
+  this->neededDistance_ = -least[2];
   std::vector<DistanceUpdate>& updates = received.updates[0];
   updates.insert(updates.end(), received.updates[1].begin(), received.updates[1].end());
   return std::move(updates);
 }
 
-double FrontOnRanks::reach() const
+double FrontOnRanks::neededDistance() const
 {
-  return this->surface_.isDistributed() ? this->reach_ : this->tasks_.retention.reach();
+  return this->surface_.isDistributed() ? this->neededDistance_
+                                        : this->tasks_.retention.neededDistance();
 }
 
 void FrontOnRanks::shareNeeded(CompleteFaces& faces)

@@ -45,9 +45,9 @@ public:
   ///        rank with the same key, so the distances received change nothing.
   /// \returns the distances of other ranks.
   std::vector<DistanceUpdate> exchangeArrivals(VertexSchedule::Outlook& next);
-  /// The largest reach of the ranks' retentions: if there are several, as it was at the last
-  /// exchangeArrivals().
-  double reach() const;
+  /// The largest distance that the ranks' retentions need: if there are several, as it was at the
+  /// last exchangeArrivals().
+  double neededDistance() const;
 
   /// Marks faces that must be complete on this rank as needed on their owners.
   void shareNeeded(CompleteFaces& faces);
@@ -75,7 +75,7 @@ private:
   /// For each rank, what the next step sends to it: lists, each a halfedge and its windows, and
   /// distances, each behind NoId.
   std::vector<Message> messages_;
-  double reach_ = Infinity;
+  double neededDistance_ = Infinity;
 };
 
 }

@@ -32,16 +32,16 @@ struct FrontWorker
   /// pauses, so that the watcher can be told. It finishes the current list first.
   std::uint64_t handled = 0;
   std::uint64_t pauseAt = 0;
-  std::uint64_t turn = 0;
+  std::uint64_t round = 0;
 
   bool hasToPause() const { return this->handled >= this->pauseAt; }
-  void begin(std::uint64_t itsTurn)
+  void begin(std::uint64_t itsRound)
   {
-    constexpr std::uint64_t windowsPerTurn = 1U << 17; // some hundredths of a second
-    if (this->turn != itsTurn)
+    constexpr std::uint64_t windowsPerRound = 1U << 17; // some hundredths of a second
+    if (this->round != itsRound)
     {
-      this->turn = itsTurn;
-      this->pauseAt = this->handled + windowsPerTurn;
+      this->round = itsRound;
+      this->pauseAt = this->handled + windowsPerRound;
     }
   }
 };
@@ -75,12 +75,12 @@ public:
   }
 
   /// Runs item(worker, i) for i below `items`, in parallel if there are several. This begins a new
-  /// turn, in which each worker may work until it has to pause again.
+  /// round, in which each worker may work until it has to pause again.
   template <typename Item>
   void run(std::size_t items, Item&& item)
   {
-    ++this->turn_;
-    this->first().begin(this->turn_);
+    ++this->round_;
+    this->first().begin(this->round_);
     if (!this->job_.isParallel() || items == 1)
     {
       for (std::size_t i = 0; i < items; ++i)
@@ -93,7 +93,7 @@ public:
       [&](std::size_t i)
       {
         const SlotLock lock(this->slots_);
-        lock.worker().begin(this->turn_);
+        lock.worker().begin(this->round_);
         item(lock.worker(), i);
       });
   }
@@ -135,7 +135,7 @@ private:
 
   const Job& job_;
   std::vector<WorkerSlot> slots_;
-  std::uint64_t turn_ = 0;
+  std::uint64_t round_ = 0;
 };
 
 }

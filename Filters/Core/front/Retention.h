@@ -86,7 +86,7 @@ public:
   /// Longer paths do not matter: the front stops when everything nearer is done, with the bits of a
   /// front that goes everywhere. The value may decrease as the front proceeds. Unlike with a
   /// distance limit, faces need not be complete.
-  virtual double reach() const { return Infinity; }
+  virtual double neededDistance() const { return Infinity; }
   /// In a corridor: a path that is longer is not looked for. May fall as the front goes on.
   virtual double longestPath() const { return Infinity; }
   /// Called before the first batch, with the number of districts and the sources inside faces.

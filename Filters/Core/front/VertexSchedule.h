@@ -13,8 +13,8 @@ namespace geodesic
 /// The vertices that wait, in the order of their keys. They are processed in batches of nearly
 /// equal distance, the nearest first.
 ///
-/// The keys are in a heap in which each entry has four children, which are side by side in memory.
-/// Each vertex knows its place in it (VertexState::place), so that its key can fall where it is.
+/// The keys are in a heap in which each vertex has four children, which are side by side in memory.
+/// Each vertex knows its slot in it (VertexState::slot), so that its key can fall where it is.
 class VertexSchedule
 {
 public:
@@ -37,28 +37,28 @@ public:
   {
     // Windows that come to a vertex behind the front continue with the front, in the same batches.
     const double key = std::max(distance, this->key_);
-    const Id place = this->states_[vertex].place;
-    if (place < Behind)
+    const Id slot = this->states_[vertex].slot;
+    if (slot < Behind)
     {
-      if (key < this->heap_[place].key)
+      if (key < this->heap_[slot].key)
       {
-        this->rise(place, { key, vertex });
+        this->rise(slot, { key, vertex });
       }
     }
-    else if (place == NoId && key > this->key_)
+    else if (slot == NoId && key > this->key_)
     {
       this->heap_.emplace_back();
       this->rise(this->heap_.size() - 1, { key, vertex });
     }
-    else if (place == NoId)
+    else if (slot == NoId)
     {
-      this->states_[vertex].place = Behind;
+      this->states_[vertex].slot = Behind;
       this->behind_.push_back(vertex);
     }
   }
 
   /// The next batch: the least key of a waiting vertex, and the last key of its batch, which is at
-  /// most the end of any waiting vertex's reach. Both are infinite if no vertex waits.
+  /// most the key of any waiting vertex plus its batch width. Both are infinite if no vertex waits.
   struct Outlook
   {
     double least = Infinity;
@@ -70,12 +70,12 @@ public:
     if (!this->heap_.empty())
     {
       next.least = this->heap_.front().key;
-      this->limitByReach(0, next.last);
+      this->limitByWidths(0, next.last);
     }
     for (const Id vertex : this->behind_)
     {
       next.least = this->key_;
-      next.last = std::min(next.last, this->key_ + this->reachOf(vertex));
+      next.last = std::min(next.last, this->key_ + this->batchWidthOf(vertex));
     }
     return next;
   }
@@ -91,13 +91,13 @@ public:
     this->behind_.clear();
     for (const Id vertex : batch)
     {
-      this->states_[vertex].place = NoId;
+      this->states_[vertex].slot = NoId;
     }
     while (!this->heap_.empty() && this->heap_.front().key <= last)
     {
       batch.push_back(this->heap_.front().vertex);
-      this->states_[batch.back()].place = NoId;
-      const Entry moved = this->heap_.back();
+      this->states_[batch.back()].slot = NoId;
+      const WaitingVertex moved = this->heap_.back();
       this->heap_.pop_back();
       if (!this->heap_.empty())
       {
@@ -115,62 +115,65 @@ public:
   {
     return std::any_of(this->behind_.begin(), this->behind_.end(), condition) ||
       std::any_of(this->heap_.begin(), this->heap_.end(),
-        [&condition](const Entry& entry) { return condition(entry.vertex); });
+        [&condition](const WaitingVertex& waiting) { return condition(waiting.vertex); });
   }
 
 private:
-  struct Entry
+  struct WaitingVertex
   {
     double key;
     Id vertex;
   };
 
-  /// The place of a vertex in `behind_`.
+  /// The slot of a vertex in `behind_`.
   static constexpr Id Behind = NoId - 1;
   static constexpr std::size_t Children = 4;
-  static std::size_t parentOf(std::size_t place) { return (place - 1) / Children; }
-  static std::size_t firstChildOf(std::size_t place) { return Children * place + 1; }
+  static std::size_t parentOf(std::size_t slot) { return (slot - 1) / Children; }
+  static std::size_t firstChildOf(std::size_t slot) { return Children * slot + 1; }
 
-  double reachOf(Id vertex) const { return static_cast<double>(this->states_[vertex].reach); }
+  double batchWidthOf(Id vertex) const
+  {
+    return static_cast<double>(this->states_[vertex].batchWidth);
+  }
 
   // No vertex below another has a smaller key.
-  void limitByReach(std::size_t place, double& last) const
+  void limitByWidths(std::size_t slot, double& last) const
   {
-    const Entry& entry = this->heap_[place];
-    if (entry.key >= last)
+    const WaitingVertex& waiting = this->heap_[slot];
+    if (waiting.key >= last)
     {
       return;
     }
-    last = std::min(last, entry.key + this->reachOf(entry.vertex));
-    const std::size_t first = firstChildOf(place);
+    last = std::min(last, waiting.key + this->batchWidthOf(waiting.vertex));
+    const std::size_t first = firstChildOf(slot);
     for (std::size_t i = first; i < std::min(first + Children, this->heap_.size()); ++i)
     {
-      this->limitByReach(i, last);
+      this->limitByWidths(i, last);
     }
   }
 
-  void put(std::size_t place, const Entry& entry)
+  void put(std::size_t slot, const WaitingVertex& waiting)
   {
-    this->heap_[place] = entry;
-    this->states_[entry.vertex].place = static_cast<Id>(place);
+    this->heap_[slot] = waiting;
+    this->states_[waiting.vertex].slot = static_cast<Id>(slot);
   }
 
-  // Puts an entry at a place, or higher if its key is less than those above.
-  void rise(std::size_t place, const Entry& entry)
+  // Puts a vertex into a slot, or higher if its key is less than those above.
+  void rise(std::size_t slot, const WaitingVertex& waiting)
   {
-    while (place > 0 && entry.key < this->heap_[parentOf(place)].key)
+    while (slot > 0 && waiting.key < this->heap_[parentOf(slot)].key)
     {
-      this->put(place, this->heap_[parentOf(place)]);
-      place = parentOf(place);
+      this->put(slot, this->heap_[parentOf(slot)]);
+      slot = parentOf(slot);
     }
-    this->put(place, entry);
+    this->put(slot, waiting);
   }
 
-  // Puts an entry at a place, or lower if a key below is less.
-  void sink(std::size_t place, const Entry& entry)
+  // Puts a vertex into a slot, or lower if a key below is less.
+  void sink(std::size_t slot, const WaitingVertex& waiting)
   {
-    for (std::size_t first = firstChildOf(place); first < this->heap_.size();
-         first = firstChildOf(place))
+    for (std::size_t first = firstChildOf(slot); first < this->heap_.size();
+         first = firstChildOf(slot))
     {
       const std::size_t end = std::min(first + Children, this->heap_.size());
       std::size_t least = first;
@@ -178,21 +181,21 @@ private:
       {
         least = this->heap_[i].key < this->heap_[least].key ? i : least;
       }
-      if (!(this->heap_[least].key < entry.key))
+      if (!(this->heap_[least].key < waiting.key))
       {
         break;
       }
-      this->put(place, this->heap_[least]);
-      place = least;
+      this->put(slot, this->heap_[least]);
+      slot = least;
     }
-    this->put(place, entry);
+    this->put(slot, waiting);
   }
 
   VertexStates& states_;
   double key_ = 0.0;
   double last_ = Infinity;
   /// Vertices ahead of the front, and those at or behind it.
-  std::vector<Entry> heap_;
+  std::vector<WaitingVertex> heap_;
   std::vector<Id> behind_;
 };
 

@@ -36,26 +36,26 @@ struct VertexState
   Id arrivalHalfedge = NoId;
   /// The first list on the halfedges opposite it.
   Id facing = NoId;
-  /// Where its district's schedule keeps it; NoId if it does not wait.
-  Id place = NoId;
+  /// Its slot in its district's schedule; NoId if it does not wait.
+  Id slot = NoId;
   /// How much farther the other vertices of its batch may be.
-  float reach = 0.0F;
+  float batchWidth = 0.0F;
   /// Whether it emits windows: a saddle vertex into its shadow, an irregular one everywhere.
   TriangleMesh::PseudoSource pseudoSource = TriangleMesh::PseudoSource::None;
   /// How often it was processed, up to the largest number.
-  std::uint8_t turns = 0;
+  std::uint8_t timesProcessed = 0;
   bool hasThinFaces = false;
 
   Arrival arrival() const { return { this->arrivalHalfedge, {}, this->arrivalX }; }
   /// Whether windows may come again and again to halfedges opposite it. On scans hardly any vertex
-  /// has more turns than the usual ones.
-  bool isBusy() const { return this->hasThinFaces || this->turns >= UsualTurns; }
-  static constexpr std::uint8_t UsualTurns = 4;
-  void countTurn()
+  /// is processed more often.
+  bool isBusy() const { return this->hasThinFaces || this->timesProcessed >= UsualTimes; }
+  static constexpr std::uint8_t UsualTimes = 4;
+  void countProcessing()
   {
-    if (this->turns < std::numeric_limits<std::uint8_t>::max())
+    if (this->timesProcessed < std::numeric_limits<std::uint8_t>::max())
     {
-      ++this->turns;
+      ++this->timesProcessed;
     }
   }
   /// Whether its distance is shorter than the processed one by more than a tie.
@@ -92,7 +92,7 @@ public:
         // edge: windows from one of them then seldom reach another. From 0.25 to 2 edges the number
         // of windows hardly changes.
         const IdRange corners = this->mesh_.cornersAt(vertex);
-        state.reach = corners.size() > 0
+        state.batchWidth = corners.size() > 0
           ? 0.5F * static_cast<float>(this->mesh_.length(*corners.begin()))
           : 0.0F;
       });
@@ -170,11 +170,11 @@ private:
       if (shape.isThin())
       {
         const double altitude = shape.area2 / shape.longest();
-        const float reach = static_cast<float>(0.5 * altitude * (altitude / shape.longest()));
+        const float width = static_cast<float>(0.5 * altitude * (altitude / shape.longest()));
         for (const Id vertex : this->mesh_.triangle(face))
         {
           this->states_[vertex].hasThinFaces = true;
-          this->states_[vertex].reach = std::min(this->states_[vertex].reach, reach);
+          this->states_[vertex].batchWidth = std::min(this->states_[vertex].batchWidth, width);
         }
       }
     }

@@ -35,12 +35,12 @@ public:
     {
       return NoId;
     }
-    std::size_t place = this->homeOf(halfedge);
-    while (this->table_[place] != NoId && this->lists_[this->table_[place]].halfedge != halfedge)
+    std::size_t slot = this->homeOf(halfedge);
+    while (this->table_[slot] != NoId && this->lists_[this->table_[slot]].halfedge != halfedge)
     {
-      place = (place + 1) & this->mask();
+      slot = (slot + 1) & this->mask();
     }
-    return this->table_[place];
+    return this->table_[slot];
   }
 
   /// Adds a list to a halfedge that has none. \returns the list's number.
@@ -73,14 +73,14 @@ public:
     }
     // Lists behind the gap move forward if their probe sequences allow it, so that find() never
     // stops at a gap before them (Knuth, 6.4, algorithm R).
-    for (std::size_t place = (gap + 1) & this->mask(); this->table_[place] != NoId;
-         place = (place + 1) & this->mask())
+    for (std::size_t slot = (gap + 1) & this->mask(); this->table_[slot] != NoId;
+         slot = (slot + 1) & this->mask())
     {
-      const std::size_t home = this->homeOf(this->lists_[this->table_[place]].halfedge);
-      if (((place - home) & this->mask()) >= ((place - gap) & this->mask()))
+      const std::size_t home = this->homeOf(this->lists_[this->table_[slot]].halfedge);
+      if (((slot - home) & this->mask()) >= ((slot - gap) & this->mask()))
       {
-        this->table_[gap] = this->table_[place];
-        gap = place;
+        this->table_[gap] = this->table_[slot];
+        gap = slot;
       }
     }
     this->table_[gap] = NoId;
@@ -131,12 +131,12 @@ private:
 
   void enter(Id list)
   {
-    std::size_t place = this->homeOf(this->lists_[list].halfedge);
-    while (this->table_[place] != NoId)
+    std::size_t slot = this->homeOf(this->lists_[list].halfedge);
+    while (this->table_[slot] != NoId)
     {
-      place = (place + 1) & this->mask();
+      slot = (slot + 1) & this->mask();
     }
-    this->table_[place] = list;
+    this->table_[slot] = list;
   }
 
   void grow()

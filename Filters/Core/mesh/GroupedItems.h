@@ -29,23 +29,23 @@ struct GroupedItems
 
 /// Sorts some items by their keys, which are a range of all keys: a counting sort.
 ///
-/// \param place of the first item among the grouped ones.
+/// \param offset of the first item among the grouped ones.
 template <typename KeyOf>
-void groupRange(const IdRange& items, std::size_t firstKey, std::size_t endOfKeys, Id place,
+void groupRange(const IdRange& items, std::size_t firstKey, std::size_t endOfKeys, Id offset,
   const KeyOf& keyOf, GroupedItems& grouped)
 {
-  std::vector<Id> places(endOfKeys - firstKey + 1, 0);
+  std::vector<Id> offsets(endOfKeys - firstKey + 1, 0);
   for (const Id item : items)
   {
-    ++places[keyOf(item) - firstKey + 1];
+    ++offsets[keyOf(item) - firstKey + 1];
   }
-  places[0] = place;
-  std::partial_sum(places.begin(), places.end(), places.begin());
-  std::copy(places.begin(), places.end() - 1,
+  offsets[0] = offset;
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  std::copy(offsets.begin(), offsets.end() - 1,
     grouped.start.begin() + static_cast<std::ptrdiff_t>(firstKey));
   for (const Id item : items)
   {
-    grouped.items[places[keyOf(item) - firstKey]++] = item;
+    grouped.items[offsets[keyOf(item) - firstKey]++] = item;
   }
 }
 
@@ -67,11 +67,12 @@ GroupedItems groupItems(Id count, Id numberOfKeys, const Job& job, const KeyOf& 
   {
     ++shift;
   }
-  // Calls visit(item, place) for each item of a block: where the item goes, as the block counts it.
-  std::vector<std::vector<Id>> places(blocks, std::vector<Id>(blocks, 0));
+  // Calls visit(item, offset) for each item of a block: where the item goes, as the block counts
+  // it.
+  std::vector<std::vector<Id>> offsets(blocks, std::vector<Id>(blocks, 0));
   const auto forEachItem = [&](std::size_t block, const auto& visit)
   {
-    std::vector<Id>& ofRange = places[block];
+    std::vector<Id>& ofRange = offsets[block];
     const std::size_t end = (block + 1) * count / blocks;
     for (std::size_t i = block * count / blocks; i < end; ++i)
     {
@@ -86,7 +87,7 @@ GroupedItems groupItems(Id count, Id numberOfKeys, const Job& job, const KeyOf& 
   for (std::size_t range = 0; range < blocks; ++range)
   {
     firstOfRange[range] = next;
-    for (std::vector<Id>& ofBlock : places)
+    for (std::vector<Id>& ofBlock : offsets)
     {
       next += std::exchange(ofBlock[range], next);
     }
@@ -95,7 +96,7 @@ GroupedItems groupItems(Id count, Id numberOfKeys, const Job& job, const KeyOf& 
   UninitializedVector<Id> byRange(count);
   job.tasks(blocks,
     [&](std::size_t block)
-    { forEachItem(block, [&byRange](Id item, Id place) { byRange[place] = item; }); });
+    { forEachItem(block, [&byRange](Id item, Id offset) { byRange[offset] = item; }); });
   job.reach(0.5);
   GroupedItems grouped;
   grouped.start.resize(static_cast<std::size_t>(numberOfKeys) + 1);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/SurfacePoint.h"
 
+#include "Tolerance.h"
+
 #include <algorithm>
 
 namespace geodesic
@@ -90,12 +92,13 @@ SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fract
                            : SurfacePoint::onEdge(halfedge, fraction);
 }
 
-SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fraction, double reach)
+SurfacePoint placeOnHalfedge(
+  const TriangleMesh& mesh, Id halfedge, double fraction, double snapDistance)
 {
   const double length = mesh.length(halfedge);
-  return fraction * length <= reach      ? SurfacePoint::atVertex(mesh.origin(halfedge))
-    : (1.0 - fraction) * length <= reach ? SurfacePoint::atVertex(mesh.destination(halfedge))
-                                         : SurfacePoint::onEdge(halfedge, fraction);
+  return fraction * length <= snapDistance      ? SurfacePoint::atVertex(mesh.origin(halfedge))
+    : (1.0 - fraction) * length <= snapDistance ? SurfacePoint::atVertex(mesh.destination(halfedge))
+                                                : SurfacePoint::onEdge(halfedge, fraction);
 }
 
 SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point)
@@ -194,9 +197,8 @@ bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoi
     return a.members() == b.members();
   }
   return mesh.edgeOf(a.id) == mesh.edgeOf(b.id) &&
-    (mesh.origin(a.id) == mesh.origin(b.id)
-        ? a.u == b.u
-        : std::abs(a.u - (1.0 - b.u)) <= std::numeric_limits<double>::epsilon());
+    (mesh.origin(a.id) == mesh.origin(b.id) ? a.u == b.u
+                                            : std::abs(a.u - (1.0 - b.u)) <= tolerance::Rounding);
 }
 
 double distanceInSpace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)

@@ -54,8 +54,10 @@ SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point);
 /// The point at a fraction of the way along a halfedge; a vertex where the fraction is 0 or 1, or
 /// beyond by rounding.
 SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fraction);
-/// The same, but a vertex already where the point is no farther from it than the reach.
-SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fraction, double reach);
+/// The same, but a vertex already where the point is no farther from it than the distance for
+/// snapping.
+SurfacePoint placeOnHalfedge(
+  const TriangleMesh& mesh, Id halfedge, double fraction, double snapDistance);
 
 /// Barycentric coordinates of the point in a face that contains it, see contains().
 Barycentric barycentric(const TriangleMesh& mesh, const SurfacePoint& point, Id face);

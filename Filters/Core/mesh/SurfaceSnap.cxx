@@ -122,8 +122,8 @@ bool snapToVertex(const Face& face, double precision, Barycentric& weights)
   {
     const double distance = norm(face.fromCorner(k, weights));
     const double shorter = std::min(face.shape.length[k], face.shape.length[(k + 2) % 3]);
-    const double reach = std::min(precision, tolerance::SnapFraction * shorter);
-    if (distance <= reach && distance < nearest)
+    const double snapDistance = std::min(precision, tolerance::SnapFraction * shorter);
+    if (distance <= snapDistance && distance < nearest)
     {
       nearest = distance;
       vertex = k;

@@ -60,9 +60,10 @@ void flatten(FaceShape& shape, std::size_t longest, double largestCoordinate)
   const std::size_t next = (longest + 1) % 3;
   const std::size_t apex = (longest + 2) % 3;
   const double length = shape.length[longest];
-  const double reach = std::min(tolerance::SnapRoundings * tolerance::Rounding * largestCoordinate,
-    tolerance::SnapFraction * std::min(shape.length[next], shape.length[apex]));
-  if (shape.cornerDot[apex] < 0.0 && (shape.hasZeroArea() || shape.area2 <= reach * length))
+  const double snapDistance =
+    std::min(tolerance::SnapRoundings * tolerance::Rounding * largestCoordinate,
+      tolerance::SnapFraction * std::min(shape.length[next], shape.length[apex]));
+  if (shape.cornerDot[apex] < 0.0 && (shape.hasZeroArea() || shape.area2 <= snapDistance * length))
   {
     shape.area2 = 0.0;
     shape.cornerDot[longest] = shape.length[longest] * shape.length[apex];

@@ -32,21 +32,21 @@ std::vector<SurfacePoint> ownPlaceOf(
   return place;
 }
 
-using Pair = std::pair<SurfacePoint, SurfacePoint>;
+using PointPair = std::pair<SurfacePoint, SurfacePoint>;
 
 /// The pairs of places of two points that share no face.
-std::vector<Pair> farPairs(const TriangleMesh& mesh, const LocatedPolyline& polyline,
+std::vector<PointPair> farPairs(const TriangleMesh& mesh, const LocatedPolyline& polyline,
   std::size_t first, std::size_t second, double coordinatePrecision)
 {
-  std::vector<Pair> pairs;
+  std::vector<PointPair> pairs;
   const auto place = [&](Id face, std::size_t point)
   { return snapToFace(mesh, face, polyline.points[point], coordinatePrecision).place; };
   for (const Id a : polyline.faces[first])
   {
     for (const Id b : polyline.faces[second])
     {
-      const Pair pair = { place(a, first), place(b, second) };
-      const auto isSame = [&](const Pair& other) {
+      const PointPair pair = { place(a, first), place(b, second) };
+      const auto isSame = [&](const PointPair& other) {
         return samePlace(mesh, pair.first, other.first) &&
           samePlace(mesh, pair.second, other.second);
       };
@@ -61,15 +61,15 @@ std::vector<Pair> farPairs(const TriangleMesh& mesh, const LocatedPolyline& poly
 }
 
 /// Adds the faces that shortest paths between two points can touch.
-void addFacesBetween(const MeshPartition& part, const ReplicatedPatch& patch, const Pair& ends,
+void addFacesBetween(const MeshPartition& part, const ReplicatedPatch& patch, const PointPair& ends,
   const Job& job, std::vector<Id>& faces)
 {
-  const LowerBounds fromFirst = waysFrom(part, patch, ends.first, ends.second, job);
+  const LowerBounds fromFirst = lowerBoundsFrom(part, patch, ends.first, ends.second, job);
   if (fromFirst.length == Infinity)
   {
     return;
   }
-  const LowerBounds fromSecond = waysFrom(part, patch, ends.second, ends.first, job);
+  const LowerBounds fromSecond = lowerBoundsFrom(part, patch, ends.second, ends.first, job);
   const double length = std::min(fromFirst.length, fromSecond.length);
   const TriangleMesh& mesh = part.mesh();
   for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
@@ -88,7 +88,7 @@ void addFacesBetween(const MeshPartition& part, const ReplicatedPatch& patch, co
 
 } // anonymous namespace
 
-LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
+LowerBounds lowerBoundsFrom(const MeshPartition& part, const ReplicatedPatch& patch,
   const SurfacePoint& from, const SurfacePoint& to, const Job& job)
 {
   const TriangleMesh& mesh = part.mesh();
@@ -97,21 +97,21 @@ LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
   options.relativeError = tolerance::CorridorSearch;
   const std::vector<SurfacePoint> target = ownPlaceOf(part, patch, to);
   RetentionAround search(mesh, target);
-  LowerBounds ways;
-  ways.atLeast = propagate(part,
+  LowerBounds bounds;
+  bounds.atLeast = propagate(part,
     sourceWindowsOfPartition(part, patch, makeSourceWindows(patch.mesh(), { pointCurve(from) })),
     options, search)
-                   .vertexDistances;
-  const double reach = part.exchange().largestOf(search.reach());
-  ways.length = reach / (1.0 - tolerance::CorridorSearch);
-  // Vertices that the front has not settled are beyond its reach; no way is shorter than the
+                     .vertexDistances;
+  const double searchedTo = part.exchange().largestOf(search.neededDistance());
+  bounds.length = searchedTo / (1.0 - tolerance::CorridorSearch);
+  // Vertices that the front has not settled are farther than that; no way is shorter than the
   // distance in space.
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
-    ways.atLeast[vertex] = std::max(std::min(ways.atLeast[vertex], reach),
+    bounds.atLeast[vertex] = std::max(std::min(bounds.atLeast[vertex], searchedTo),
       distanceInSpace(patch.mesh(), mesh.point(vertex), from));
   }
-  return ways;
+  return bounds;
 }
 
 std::vector<Id> facesBetweenPoints(const MeshPartition& part, const ReplicatedPatch& patch,
@@ -126,7 +126,7 @@ std::vector<Id> facesBetweenPoints(const MeshPartition& part, const ReplicatedPa
     const std::size_t count = polyline.points.size();
     for (std::size_t i = 0; i + 1 < count + (polyline.closed && count > 1 ? 1 : 0); ++i)
     {
-      for (const Pair& pair :
+      for (const PointPair& pair :
         farPairs(patch.mesh(), polyline, i, (i + 1) % count, coordinatePrecision))
       {
         addFacesBetween(part, patch, pair, search, faces);

@@ -25,7 +25,7 @@ struct LowerBounds
 ///
 /// \param patch that contains the faces of both points.
 /// \throws Aborted
-LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
+LowerBounds lowerBoundsFrom(const MeshPartition& part, const ReplicatedPatch& patch,
   const SurfacePoint& from, const SurfacePoint& to, const Job& job = {});
 
 /// Finds the faces that shortest paths between consecutive points of polylines can touch, for

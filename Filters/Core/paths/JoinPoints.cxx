@@ -36,12 +36,12 @@ std::vector<Id> verticesAround(const TriangleMesh& mesh, const SurfacePoint& poi
   return result;
 }
 
-struct Entry
+struct QueuedVertex
 {
   double estimate;
   double length;
   Id vertex;
-  bool operator<(const Entry& other) const { return this->estimate > other.estimate; }
+  bool operator<(const QueuedVertex& other) const { return this->estimate > other.estimate; }
 };
 
 /// The length of a shortest path along mesh edges, by best-first search (A*: the remaining distance
@@ -50,8 +50,8 @@ double lengthAlongEdges(
   const TriangleMesh& mesh, const SurfacePoint& first, const SurfacePoint& second, const Job& job)
 {
   std::unordered_map<Id, double> lengthTo;
-  std::priority_queue<Entry> queue;
-  const auto reach = [&](Id vertex, double length)
+  std::priority_queue<QueuedVertex> queue;
+  const auto shorten = [&](Id vertex, double length)
   {
     double& known = lengthTo.try_emplace(vertex, Infinity).first->second;
     if (length < known)
@@ -62,13 +62,13 @@ double lengthAlongEdges(
   };
   for (const Id vertex : verticesAround(mesh, first))
   {
-    reach(vertex, distanceInSpace(mesh, mesh.point(vertex), first));
+    shorten(vertex, distanceInSpace(mesh, mesh.point(vertex), first));
   }
   const std::vector<Id> goals = verticesAround(mesh, second); // the way from there is straight
   double best = Infinity;
   for (std::size_t step = 1; !queue.empty() && queue.top().estimate < best; ++step)
   {
-    const Entry top = queue.top();
+    const QueuedVertex top = queue.top();
     queue.pop();
     if (top.length == lengthTo[top.vertex])
     {
@@ -77,8 +77,8 @@ double lengthAlongEdges(
       for (const Id corner : mesh.cornersAt(top.vertex))
       {
         const Id previous = TriangleMesh::previousInFace(corner);
-        reach(mesh.destination(corner), top.length + mesh.length(corner));
-        reach(mesh.origin(previous), top.length + mesh.length(previous));
+        shorten(mesh.destination(corner), top.length + mesh.length(corner));
+        shorten(mesh.origin(previous), top.length + mesh.length(previous));
       }
     }
     constexpr std::size_t stepsPerReport = 4096;
@@ -196,18 +196,18 @@ private:
 
 /// Lower bounds of the distance to the second point. The distances that the search from there has
 /// found are lower bounds, except where it left out what no path within the length passes: there
-/// the distance exceeds what the way from the first point leaves of the length. Beyond the reach of
-/// the search, the reach is a lower bound.
+/// the distance exceeds what the way from the first point leaves of the length. Beyond
+/// `searchedTo`, where the search has ended, that is a lower bound.
 ///
 /// \param searched the corridor of the search.
 std::vector<double> lowerBounds(const TriangleMesh& mesh, const SurfacePoint& second,
-  const std::vector<double>& toSecond, double reach, const Corridor& searched)
+  const std::vector<double>& toSecond, double searchedTo, const Corridor& searched)
 {
   std::vector<double> bounds = distancesInSpace(mesh, second);
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
     const double found =
-      std::min({ toSecond[vertex], reach, searched.length - searched.lowerBounds[vertex] });
+      std::min({ toSecond[vertex], searchedTo, searched.length - searched.lowerBounds[vertex] });
     bounds[vertex] = std::max(bounds[vertex], (1.0 - tolerance::BoundMargin) * found);
   }
   return bounds;
@@ -235,12 +235,12 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   const std::vector<double> toSecond =
     propagate(mesh, { pointCurve(second) }, options, search).vertexDistances;
 
-  corridor.lowerBounds = lowerBounds(mesh, second, toSecond, search.reach(), corridor);
+  corridor.lowerBounds = lowerBounds(mesh, second, toSecond, search.neededDistance(), corridor);
   // The two points may be at one place, behind faces without area: there a path is as long as
   // roundings.
   const double least = tolerance::BoundMargin * length;
   corridor.length =
-    std::min(length, std::max(least, (1.0 + tolerance::CorridorSearch) * search.reach()));
+    std::min(length, std::max(least, (1.0 + tolerance::CorridorSearch) * search.neededDistance()));
   options.relativeError = 0.0;
   options.keepArrivals = true;
   options.job = job.part(ShareOfSearch, 1.0);
@@ -287,9 +287,9 @@ std::vector<SurfacePoint> shortestPathIn(const std::vector<Id>& faces, const Tri
   const auto onPart = [&](const SurfacePoint& point)
   {
     const Id face = someFace(surface, point);
-    const auto place = std::find(faces.begin(), faces.end(), face);
+    const auto found = std::find(faces.begin(), faces.end(), face);
     return fromBarycentric(
-      part, static_cast<Id>(place - faces.begin()), barycentric(surface, point, face));
+      part, static_cast<Id>(found - faces.begin()), barycentric(surface, point, face));
   };
   std::vector<SurfacePoint> path = shortestPath(part, onPart(first), onPart(second), length, job);
   for (SurfacePoint& point : path)
@@ -389,11 +389,11 @@ JoinPoints joinByShortestPaths(const TriangleMesh& mesh)
 
 JoinPoints JoinedPaths::reusedBy(JoinPoints join)
 {
-  const auto place = [](const SurfacePoint& p) { return Place(p.kind, p.id, p.u, p.v); };
-  return [this, place, join = std::move(join)](
+  const auto keyOf = [](const SurfacePoint& p) { return PointKey(p.kind, p.id, p.u, p.v); };
+  return [this, keyOf, join = std::move(join)](
            const SurfacePoint& first, const SurfacePoint& second, const Job& job)
   {
-    const auto [used, isNew] = this->used_.try_emplace(Ends(place(first), place(second)));
+    const auto [used, isNew] = this->used_.try_emplace(Ends(keyOf(first), keyOf(second)));
     if (isNew)
     {
       const auto kept = this->kept_.find(used->first);

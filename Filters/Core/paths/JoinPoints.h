@@ -37,8 +37,8 @@ public:
   JoinPoints reusedBy(JoinPoints join);
 
 private:
-  using Place = std::tuple<SurfacePoint::Kind, Id, double, double>;
-  using Ends = std::pair<Place, Place>;
+  using PointKey = std::tuple<SurfacePoint::Kind, Id, double, double>;
+  using Ends = std::pair<PointKey, PointKey>;
   using Paths = std::map<Ends, std::vector<SurfacePoint>>;
 
   Paths kept_;

@@ -24,7 +24,7 @@ std::vector<SourceInFace> sourcesByFace(const TriangleMesh& mesh, const CurveCha
   {
     const SourceCurve& curve = chains.curves()[chain];
     const std::vector<SourceInFace> segments =
-      segmentsInFaces(mesh, curve, chain, chains.places(chain));
+      segmentsInFaces(mesh, curve, chain, chains.parameters(chain));
     sources.insert(sources.end(), segments.begin(), segments.end());
     if (curve.points.size() == 1)
     {
@@ -166,16 +166,16 @@ PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& 
   {
     return {};
   }
-  const double length = segment->placeOfB - segment->placeOfA;
+  const double length = segment->parameterOfB - segment->parameterOfA;
   const double along = length *
     nearestAlongSource(this->mesh(), *segment, barycentric(this->mesh(), piece.end, segment->face));
   const double beside = rounding + tolerance::TracedLength * lengthOf(mesh, path);
   if (along > beside && along < length - beside)
   {
-    return this->onSegment(piece, *segment, segment->placeOfA + along);
+    return this->onSegment(piece, *segment, segment->parameterOfA + along);
   }
-  const double place = along > beside ? segment->placeOfB : segment->placeOfA;
-  return this->atPoint(piece, this->onPatch_.chains().pointAt(segment->curve, place));
+  const double parameter = along > beside ? segment->parameterOfB : segment->parameterOfA;
+  return this->atPoint(piece, this->onPatch_.chains().pointAt(segment->curve, parameter));
 }
 
 // The segment, or source that is a point, nearest to a point in the faces around it. Null if these
@@ -206,7 +206,8 @@ const SourceInFace* PathEnds::nearest(
   return nearest;
 }
 
-PathEnd PathEnds::onSegment(const LastPiece& piece, const SourceInFace& segment, double place) const
+PathEnd PathEnds::onSegment(
+  const LastPiece& piece, const SourceInFace& segment, double parameter) const
 {
   const Id frame = TriangleMesh::halfedgeOf(piece.face, 0);
   double side = 0.0;
@@ -217,7 +218,7 @@ PathEnd PathEnds::onSegment(const LastPiece& piece, const SourceInFace& segment,
       piece.direction);
   }
   return this->endAt(
-    segment.curve, place, side > 0.0 ? RightAngle : (side < 0.0 ? -RightAngle : 0.0));
+    segment.curve, parameter, side > 0.0 ? RightAngle : (side < 0.0 ? -RightAngle : 0.0));
 }
 
 // If several curves meet in the point, the direction tells which one the end belongs to.
@@ -225,28 +226,28 @@ PathEnd PathEnds::atPoint(const LastPiece& piece, Id number) const
 {
   const CurveChains::Point at = this->onPatch_.chains().pointWith(number);
   const PointWithEnds around = this->onPatch_.around(number);
-  const double place = this->onPatch_.chains().places(at.chain)[at.i];
+  const double parameter = this->onPatch_.chains().parameters(at.chain)[at.i];
   if (!(dot(piece.direction, piece.direction) > 0.0) ||
     !contains(this->mesh(), piece.face, around.point))
   {
-    return this->endAt(at.chain, place, 0.0);
+    return this->endAt(at.chain, parameter, 0.0);
   }
   CurveSectors sectors(this->mesh());
-  sectors.assign(around.point, around.ends, at.chain, place);
+  sectors.assign(around.point, around.ends, at.chain, parameter);
   const Id frame = TriangleMesh::halfedgeOf(piece.face, 0);
-  const PlaceOnSide end = sectors.of(frame, piece.direction);
+  const SideOfCurve end = sectors.of(frame, piece.direction);
   DirectionsAround directions(this->mesh());
   directions.assign(around.point, around.ends);
   return this->endAt(
-    end.curve, end.place, directions.angleOf(directions.around(frame, piece.direction)));
+    end.curve, end.parameter, directions.angleOf(directions.around(frame, piece.direction)));
 }
 
 // 0 is the angle of a path without a direction.
-PathEnd PathEnds::endAt(Id chain, double place, double angle) const
+PathEnd PathEnds::endAt(Id chain, double parameter, double angle) const
 {
   const CurveChains& chains = this->onPatch_.chains();
-  const Id curve = chains.curveAt(chain, place);
-  return { this->curves_[curve].source, chains.arcLength(curve, place),
+  const Id curve = chains.curveAt(chain, parameter);
+  return { this->curves_[curve].source, chains.arcLength(curve, parameter),
     angle != 0.0 ? chains.angleFrom(curve, angle) : 0.0 };
 }
 

@@ -48,9 +48,9 @@ private:
 
   const TriangleMesh& mesh() const { return this->onPatch_.mesh(); }
   const SourceInFace* nearest(const SurfacePoint& point, Id preferred, double rounding) const;
-  PathEnd onSegment(const LastPiece& piece, const SourceInFace& segment, double place) const;
+  PathEnd onSegment(const LastPiece& piece, const SourceInFace& segment, double parameter) const;
   PathEnd atPoint(const LastPiece& piece, Id number) const;
-  PathEnd endAt(Id chain, double place, double angle) const;
+  PathEnd endAt(Id chain, double parameter, double angle) const;
 
   const std::vector<SourceCurve>& curves_;
   CurvesOnPatch onPatch_;

@@ -7,6 +7,7 @@
 #include "source/SourceWindows.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geodesic
 {
@@ -39,7 +40,7 @@ std::vector<double> distancesTo(const TargetOnRank& target, const MeshPartition&
   Corridor corridor{ known.atVertices, longestTo(target) };
   for (double& bound : corridor.lowerBounds)
   {
-    bound = (1.0 - tolerance::BoundMargin) * std::min(bound, known.reach);
+    bound = (1.0 - tolerance::BoundMargin) * std::min(bound, known.upTo);
   }
   FrontOptions options;
   options.corridor = &corridor;
@@ -142,14 +143,14 @@ Corridor corridorIn(const ReplicatedPatch& strip, const TargetOnRank& target)
 
 } // anonymous namespace
 
-void pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
-  const std::vector<SourceCurve>& curves, const PathEnds& ends, const TargetOnRank& target,
-  const KnownDistances& known, const Job& job, const std::function<void(const PathToSource&)>& take)
+std::optional<GatheredPath> pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
+  const std::vector<SourceCurve>& curves, const TargetOnRank& target, const KnownDistances& known,
+  const Job& job)
 {
   const ReplicatedPatch strip(part, facesOfStrip(part, patch, curves, target, known, job));
   if (!isHere(part, target))
   {
-    return;
+    return std::nullopt;
   }
   const Corridor corridor = corridorIn(strip, target);
   FrontOptions options;
@@ -157,11 +158,17 @@ void pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
   options.job = job;
   const DistanceField field =
     solve(strip.mesh(), curvesOnStrip(strip, patch, curves), options, KeepWindows::All);
-  const std::vector<SurfacePoint> path =
-    cleanedPath(strip.mesh(), pathInWindows(field, onPatch(strip, target)), target.distance);
-  const auto addressOf = [&strip](Id face) { return strip.ownerOf(face); };
-  take({ strip.mesh(), path, addressOf,
-    path.empty() ? PathEnd() : ends.of(strip.mesh(), path, addressOf), true });
+  std::vector<SurfacePoint> points = pathInWindows(field, onPatch(strip, target));
+  const bool isLost = points.empty();
+  return GatheredPath{ target.number, isLost, strip, std::move(points), target.distance };
+}
+
+PathToSource cleanedPath(const GatheredPath& path, const PathEnds& ends)
+{
+  const TriangleMesh& mesh = path.faces.mesh();
+  const auto addressOf = [&path](Id face) { return path.faces.ownerOf(face); };
+  const std::vector<SurfacePoint> points = cleanedPath(mesh, path.points, path.length);
+  return { mesh, points, addressOf, ends.of(mesh, points, addressOf) };
 }
 
 }

@@ -4,7 +4,7 @@
 
 #include "paths/PathsToSource.h"
 
-#include <functional>
+#include <optional>
 #include <vector>
 
 namespace geodesic
@@ -13,11 +13,11 @@ namespace geodesic
 /// What a front from the source has found.
 struct KnownDistances
 {
-  /// At each vertex of this rank's part, not below the distance; and the distance where it is
-  /// within the reach.
+  /// At each vertex of this rank's part, not below the distance; and the distance where it is at
+  /// most `upTo`.
   const std::vector<double>& atVertices;
-  /// The largest reach of all ranks.
-  double reach = Infinity;
+  /// How far the front has come on all ranks.
+  double upTo = Infinity;
 };
 
 /// A target on any rank.
@@ -26,10 +26,22 @@ struct TargetOnRank
   /// A face that holds it, on the rank that owns it.
   RankAddress face;
   FacePoint point;
-  /// Finite and within the reach of what is known.
+  /// Finite and known.
   double distance;
   /// Which of its rank's targets it is.
   Id number = 0;
+};
+
+/// A path on faces that were gathered around it.
+struct GatheredPath
+{
+  /// Which of its rank's targets it begins at.
+  Id target;
+  bool isLost;
+  GatheredFaces faces;
+  /// On the mesh of the faces; as far as the path was followed if it got lost.
+  std::vector<SurfacePoint> points;
+  double length;
 };
 
 /// Finds a shortest path by the windows of the faces that it goes through: slower than tracing it
@@ -40,13 +52,16 @@ struct TargetOnRank
 /// is, by the distances that are known. That leaves a strip of few faces. The target's rank gathers
 /// these, and a second front goes from the source through the strip and keeps its windows.
 ///
+/// \returns the path on the target's rank, lost if it was not found; nothing on the others.
+std::optional<GatheredPath> pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
+  const std::vector<SourceCurve>& curves, const TargetOnRank& target, const KnownDistances& known,
+  const Job& job);
+
+/// A gathered path without what its search adds by rounding, and its end.
+///
+/// \param path must outlive the result.
 /// \param ends of paths on the same curves.
-/// \param take is called on the target's rank with the path, whose points are none where it was not
-///        found.
-void pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
-  const std::vector<SourceCurve>& curves, const PathEnds& ends, const TargetOnRank& target,
-  const KnownDistances& known, const Job& job,
-  const std::function<void(const PathToSource&)>& take);
+PathToSource cleanedPath(const GatheredPath& path, const PathEnds& ends);
 
 }
 

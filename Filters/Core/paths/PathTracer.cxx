@@ -283,7 +283,7 @@ private:
     const double way = norm(along);
     const SurfacePoint& last = this->path.points.back();
     const std::array<double, 3>& lengths = this->mesh.shape(face).length;
-    const double reach = std::min(tolerance::PathAtVertex * this->path.whole,
+    const double snapDistance = std::min(tolerance::PathAtVertex * this->path.whole,
       tolerance::SnapFraction * *std::min_element(lengths.begin(), lengths.end()));
     double nearest = Infinity;
     Id found = NoId;
@@ -298,7 +298,7 @@ private:
       const double length = norm(toCorner);
       const double distance = this->field.vertexDistances()[vertex];
       const bool isOnLeg =
-        dot(toCorner, along) >= 0.0 && std::abs(cross(toCorner, along)) <= reach * way;
+        dot(toCorner, along) >= 0.0 && std::abs(cross(toCorner, along)) <= snapDistance * way;
       const bool isOnPath =
         (distance == 0.0 || isOnLeg) && distance + length <= this->longestLeft(face);
       const RayOrigin atCorner = RayOrigin::vertex(this->surface.globalId(vertex));

@@ -39,7 +39,7 @@ void PathsOnRanks::add(Id target, TracedPath path)
   this->follow(transit);
 }
 
-std::vector<PathOverRanks> PathsOnRanks::handOver()
+std::vector<GatheredPath> PathsOnRanks::handOver()
 {
   Exchange& exchange = this->part_.exchange();
   std::vector<Message> messages = exchange.noMessages();
@@ -54,7 +54,7 @@ std::vector<PathOverRanks> PathsOnRanks::handOver()
     }
   }
   this->leaving_.clear();
-  std::vector<PathOverRanks> arrived;
+  std::vector<GatheredPath> arrived;
   readEach(exchange.step(std::move(messages)),
     [&](int, MessageReader& reader)
     {
@@ -195,7 +195,7 @@ void PathsOnRanks::putReport(const InTransit& transit, Message& message) const
   put(message, path.whole);
 }
 
-void PathsOnRanks::takeReport(MessageReader& reader, std::vector<PathOverRanks>& arrived)
+void PathsOnRanks::takeReport(MessageReader& reader, std::vector<GatheredPath>& arrived)
 {
   const Id target = reader.get<Id>();
   const auto next = reader.get<Next>();
@@ -212,7 +212,7 @@ void PathsOnRanks::takeReport(MessageReader& reader, std::vector<PathOverRanks>&
   {
     sent.push_back(p.face);
   }
-  PathOverRanks path = { target, next == Next::Lost, GatheredFaces(std::move(sent)), {}, whole };
+  GatheredPath path = { target, next == Next::Lost, GatheredFaces(std::move(sent)), {}, whole };
   for (const SentPoint& p : found)
   {
     path.points.push_back(

@@ -12,18 +12,6 @@
 namespace geodesic
 {
 
-/// A path from a target of this rank that went on through faces of other ranks.
-struct PathOverRanks
-{
-  Id target;
-  bool isLost;
-  /// The faces that it goes through, and its points on their mesh; as far as it was followed if it
-  /// got lost.
-  GatheredFaces faces;
-  std::vector<SurfacePoint> points;
-  double length;
-};
-
 /// Follows paths that leave their target's rank. In one process none does.
 ///
 /// At a seam a path is handed over to the rank that owns the next face. The rank of its target gets
@@ -52,7 +40,7 @@ public:
   /// Hands each path over to the next rank, which follows it. All ranks call this together.
   ///
   /// \returns the paths of this rank's targets that have come to their ends or got lost.
-  std::vector<PathOverRanks> handOver();
+  std::vector<GatheredPath> handOver();
 
 private:
   /// A point of a path, and a face that holds it and the point before.
@@ -87,7 +75,7 @@ private:
   void putInTransit(const InTransit& transit, Message& message) const;
   InTransit getInTransit(MessageReader& reader) const;
   void putReport(const InTransit& transit, Message& message) const;
-  void takeReport(MessageReader& reader, std::vector<PathOverRanks>& arrived);
+  void takeReport(MessageReader& reader, std::vector<GatheredPath>& arrived);
 
   const DistanceField& field_;
   const MeshPartition& part_;

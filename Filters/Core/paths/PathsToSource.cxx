@@ -50,7 +50,7 @@ public:
     while (this->onRanks_.isAnyOnItsWay())
     {
       this->job_.reach(TracingDone);
-      for (const PathOverRanks& path : this->onRanks_.handOver())
+      for (const GatheredPath& path : this->onRanks_.handOver())
       {
         this->takeFromRanks(path);
       }
@@ -94,29 +94,25 @@ private:
     followPath(this->field_, path);
     if (path.next == PathState::Next::End && !path.points.empty())
     {
-      const std::vector<SurfacePoint> points = std::move(path.points);
-      this->take(target, this->part_.mesh(), points, path.whole,
-        [this](Id face) { return this->part_.addressOf(face); });
+      const TriangleMesh& mesh = this->part_.mesh();
+      const auto addressOf = [this](Id face) { return this->part_.addressOf(face); };
+      const std::vector<SurfacePoint> points =
+        cleanedPath(mesh, std::exchange(path.points, {}), path.whole);
+      this->take_(target, { mesh, points, addressOf, this->ends_.of(mesh, points, addressOf) });
     }
     return path;
   }
 
-  void takeFromRanks(const PathOverRanks& path)
+  void takeFromRanks(const GatheredPath& path)
   {
     if (path.isLost)
     {
       this->lost_.push_back(path.target);
-      return;
     }
-    this->take(path.target, path.faces.mesh(), path.points, path.length,
-      [&path](Id face) { return path.faces.ownerOf(face); });
-  }
-
-  void take(Id target, const TriangleMesh& mesh, const std::vector<SurfacePoint>& path,
-    double length, const std::function<RankAddress(Id)>& addressOf) const
-  {
-    const std::vector<SurfacePoint> points = cleanedPath(mesh, path, length);
-    this->take_(target, { mesh, points, addressOf, this->ends_.of(mesh, points, addressOf) });
+    else
+    {
+      this->take_(path.target, cleanedPath(path, this->ends_));
+    }
   }
 
   const DistanceField& field_;
@@ -151,24 +147,26 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
   paths.run();
 
   const KnownDistances known{ field.vertexDistances(),
-    part.exchange().largestOf(retention.reach()) };
+    part.exchange().largestOf(retention.neededDistance()) };
   const std::vector<TargetOnRank> lost = gatherTargets(field, targets, paths.lost());
   for (std::size_t i = 0; i < lost.size(); ++i)
   {
     const double done = static_cast<double>(i) / static_cast<double>(lost.size());
     const double fraction = TracingDone + (1.0 - TracingDone) * done;
     job.reach(fraction);
-    pathInStrip(part, patch, curves, ends, lost[i], known, job.part(fraction, fraction),
-      [&](const PathToSource& path)
-      {
-        if (path.points.empty())
-        {
-          throw Error("The shortest path from target " + std::to_string(lost[i].number) +
-            " could not be followed. Please report this with the surface, the source and the "
-            "targets.");
-        }
-        take(lost[i].number, path);
-      });
+    const std::optional<GatheredPath> found =
+      pathInStrip(part, patch, curves, lost[i], known, job.part(fraction, fraction));
+    if (found && found->isLost)
+    {
+      throw Error("The shortest path from target " + std::to_string(found->target) +
+        " could not be followed. Please report this with the surface, the source and the targets.");
+    }
+    if (found)
+    {
+      PathToSource path = cleanedPath(*found, ends);
+      path.wasLost = true;
+      take(found->target, path);
+    }
   }
 }
 

@@ -301,7 +301,7 @@ private:
         this->report();
       }
     }
-    return this->closure_.settle(most, [this]() { this->report(); }) &&
+    return this->closure_.exchangeSplits(most, [this]() { this->report(); }) &&
       (maximum == 0 ||
         sumOverRanks(this->field_.surface().exchange(), this->triangles_.numberOfTriangles()).all <=
           maximum);

@@ -14,13 +14,14 @@ namespace geodesic
 
 GradientSlack slackOf(const FaceShape& shape, const std::array<double, 3>& d)
 {
-  return slackOf(shape.length[0] * shape.length[0], shape.cornerDot[0],
-    shape.length[2] * shape.length[2], shape.area2, d[1] - d[0], d[2] - d[0], shape.longest());
+  return slackOf({ shape.length[0] * shape.length[0], shape.cornerDot[0],
+                   shape.length[2] * shape.length[2], shape.area2, shape.longest() },
+    d[1] - d[0], d[2] - d[0]);
 }
 
-GradientSlack slackOf(
-  double e1e1, double e1e2, double e2e2, double area2, double rise1, double rise2, double longest)
+GradientSlack slackOf(const TriangleMetric& triangle, double rise1, double rise2)
 {
+  const auto& [e1e1, e1e2, e2e2, area2, longest] = triangle;
   const double scale = 1.0 / (area2 * area2);
   const double alpha = (rise1 * e2e2 - rise2 * e1e2) * scale; // gradient = alpha e1 + beta e2
   const double beta = (rise2 * e1e1 - rise1 * e1e2) * scale;

@@ -33,13 +33,19 @@ struct GradientSlack
 /// \param d distances at its corners.
 GradientSlack slackOf(const FaceShape& shape, const std::array<double, 3>& d);
 
-/// The same for any triangle. The edges e1 and e2 from corner 0 are given by their dot products,
-/// the function by its rise along each.
-///
-/// \param area2 twice the area, positive.
-/// \param longest the triangle's longest edge.
-GradientSlack slackOf(
-  double e1e1, double e1e2, double e2e2, double area2, double rise1, double rise2, double longest);
+/// A triangle by the dot products of its edges e1 and e2 from corner 0.
+struct TriangleMetric
+{
+  double e1e1;
+  double e1e2;
+  double e2e2;
+  /// Twice the area, positive.
+  double area2;
+  double longestEdge;
+};
+
+/// The same for any triangle and a function that rises along e1 and e2.
+GradientSlack slackOf(const TriangleMetric& triangle, double rise1, double rise2);
 
 /// Bounds from the windows of the face's halfedges, without computing envelopes. The face contains
 /// no source, and `d` are the distances at its corners. Infinite if a bound exceeds the limit.

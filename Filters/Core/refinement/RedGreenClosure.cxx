@@ -96,16 +96,16 @@ void RedGreenClosure::send(int rank, Kind kind, Id edge)
   const RankAddress face = this->part_.addressOf(TriangleMesh::faceOf(halfedge));
   Message& message = this->messages_[rankIndex(rank)];
   put(message,
-    Entry{ kind, this->round_, face, TriangleMesh::indexInFace(halfedge),
+    SplitMessage{ kind, this->round_, face, TriangleMesh::indexInFace(halfedge),
       static_cast<Id>(path.size()) });
   std::reverse(path.begin(), path.end());
   put(message, path.data(), path.size());
 }
 
-Id RedGreenClosure::takeEdge(const Entry& entry, MessageReader& reader)
+Id RedGreenClosure::takeEdge(const SplitMessage& split, MessageReader& reader)
 {
-  Id edge = this->mesh_.ensureEdge(this->part_.faceAt(entry.face), entry.halfedge);
-  for (Id i = 0; i < entry.depth; ++i)
+  Id edge = this->mesh_.ensureEdge(this->part_.faceAt(split.face), split.halfedge);
+  for (Id i = 0; i < split.depth; ++i)
   {
     edge = this->mesh_.edgeData(edge).halves + reader.get<std::uint8_t>();
   }
@@ -217,7 +217,7 @@ void RedGreenClosure::closeTouched(std::vector<Id>& changed)
   keepLeaves(this->mesh_, changed);
 }
 
-bool RedGreenClosure::settle(std::uint64_t most, const std::function<void()>& report)
+bool RedGreenClosure::exchangeSplits(std::uint64_t most, const std::function<void()>& report)
 {
   Exchange& exchange = this->part_.exchange();
   std::vector<double> least;
@@ -235,14 +235,14 @@ bool RedGreenClosure::settle(std::uint64_t most, const std::function<void()>& re
     readEach(received,
       [&](int, MessageReader& reader)
       {
-        const auto entry = reader.get<Entry>();
-        const Id edge = this->takeEdge(entry, reader);
-        if (entry.round != this->round_)
+        const auto split = reader.get<SplitMessage>();
+        const Id edge = this->takeEdge(split, reader);
+        if (split.round != this->round_)
         {
           this->close();
-          this->round_ = entry.round;
+          this->round_ = split.round;
         }
-        if (entry.kind == Kind::Decision)
+        if (split.kind == Kind::Decision)
         {
           this->mesh_.split(edge, reader.get<RedGreenMesh::Placement>());
           report();

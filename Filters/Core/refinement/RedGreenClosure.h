@@ -67,7 +67,7 @@ public:
   /// \param most the number of triangles that this rank can have.
   /// \param report called after each split that another rank has decided.
   /// \returns whether no rank has too many triangles.
-  bool settle(std::uint64_t most, const std::function<void()>& report);
+  bool exchangeSplits(std::uint64_t most, const std::function<void()>& report);
 
   /// The leaves that are new or have newly split edges since the last call, ascending.
   std::vector<Id> takeChanged();
@@ -80,7 +80,7 @@ private:
     Decision,
     Request
   };
-  struct Entry
+  struct SplitMessage
   {
     Kind kind;
     int round;
@@ -95,7 +95,7 @@ private:
   void closeTouched(std::vector<Id>& changed);
   Id firstRefinedFaceAt(Id edge) const;
   void send(int rank, Kind kind, Id edge);
-  Id takeEdge(const Entry& entry, MessageReader& reader);
+  Id takeEdge(const SplitMessage& split, MessageReader& reader);
 
   const MeshPartition& part_;
   RedGreenMesh& mesh_;

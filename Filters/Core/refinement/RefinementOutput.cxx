@@ -81,7 +81,7 @@ void writeTriangles(
   const auto forEach = [&](std::size_t begin, std::size_t end, const auto& visit) {
     triangles.forEachTriangle(first + static_cast<Id>(begin), first + static_cast<Id>(end), visit);
   };
-  std::vector<std::size_t> places = job.part(0.0, 0.5).resultsOfRanges(faces,
+  std::vector<std::size_t> offsets = job.part(0.0, 0.5).resultsOfRanges(faces,
     [&](std::size_t begin, std::size_t end)
     {
       std::size_t count = 0;
@@ -89,21 +89,21 @@ void writeTriangles(
       return count;
     });
   std::size_t next = 0;
-  for (std::size_t& place : places)
+  for (std::size_t& offset : offsets)
   {
-    next += std::exchange(place, next);
+    next += std::exchange(offset, next);
   }
   result.triangles.resize(next);
   result.faces.resize(next);
   job.part(0.5, 1.0).ranges(faces,
     [&](std::size_t begin, std::size_t end)
     {
-      std::size_t place = places[begin / ItemsInRange];
+      std::size_t offset = offsets[begin / ItemsInRange];
       forEach(begin, end,
         [&](Id face, const Triangle& c)
         {
-          result.triangles[place] = { numberOf(c[0]), numberOf(c[1]), numberOf(c[2]) };
-          result.faces[place++] = face;
+          result.triangles[offset] = { numberOf(c[0]), numberOf(c[1]), numberOf(c[2]) };
+          result.faces[offset++] = face;
         });
     });
 }

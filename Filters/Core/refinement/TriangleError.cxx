@@ -130,8 +130,8 @@ ErrorInside TriangleError::above(
     return { onEdges, onEdges };
   }
   const double longest = std::sqrt(std::max({ dot(e1, e1), dot(e2, e2), dot(e3, e3) }));
-  const GradientSlack slack = slackOf(dot(e1, e1), dot(e1, e2), dot(e2, e2), area2,
-    piece.values[1] - piece.values[0], piece.values[2] - piece.values[0], longest);
+  const GradientSlack slack = slackOf({ dot(e1, e1), dot(e1, e2), dot(e2, e2), area2, longest },
+    piece.values[1] - piece.values[0], piece.values[2] - piece.values[0]);
   // The distance changes by no more than the length moved to a corner, or to an edge.
   const double byWay = std::min(longest, onEdges + slack.above);
   if (byWay <= limit)

@@ -69,29 +69,29 @@ void append(SourceCurve curve, bool isReversed, SourceCurve& chain)
   chain.isCut.insert(chain.isCut.end(), curve.isCut.begin() + shared, curve.isCut.end());
 }
 
-/// The places of a curve's points: lengths from its beginning. They strictly increase, even across
-/// segments without length.
-std::vector<double> placesAlong(const TriangleMesh& mesh, const SourceCurve& curve)
+/// The parameters of a curve's points: lengths from its beginning. They strictly increase, even
+/// across segments without length.
+std::vector<double> parametersAlong(const TriangleMesh& mesh, const SourceCurve& curve)
 {
-  std::vector<double> places = { 0.0 };
+  std::vector<double> parameters = { 0.0 };
   for (std::size_t i = 0; i + 1 < curve.points.size(); ++i)
   {
-    const double place = places.back() + lengthOfSegment(mesh, curve, i);
-    places.push_back(std::max(place, std::nextafter(places.back(), Infinity)));
+    const double parameter = parameters.back() + lengthOfSegment(mesh, curve, i);
+    parameters.push_back(std::max(parameter, std::nextafter(parameters.back(), Infinity)));
   }
-  return places;
+  return parameters;
 }
 
 } // anonymous namespace
 
 CurveChains::CurveChains(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
-  : parts_(curves.size())
+  : inChain_(curves.size())
 {
   const std::vector<std::size_t> partners = partnersOfEnds(mesh, curves);
   Id numberOfPoints = 0;
   for (std::size_t c = 0; c < curves.size(); ++c)
   {
-    if (this->parts_[c].chain != NoId)
+    if (this->inChain_[c].chain != NoId)
     {
       continue;
     }
@@ -100,12 +100,12 @@ CurveChains::CurveChains(const TriangleMesh& mesh, const std::vector<SourceCurve
     chain.source = curves[c].source;
     std::vector<Id>& order = this->order_.emplace_back();
     for (std::size_t end = firstOfChain(partners, c);
-         end != NoEnd && this->parts_[end / 2].chain == NoId; end = partners[end ^ 1U])
+         end != NoEnd && this->inChain_[end / 2].chain == NoId; end = partners[end ^ 1U])
     {
       const bool isReversed = end % 2 != 0;
       const std::size_t begin = std::max<std::size_t>(chain.points.size(), 1) - 1;
       append(curves[end / 2], isReversed, chain);
-      this->parts_[end / 2] = { number, isReversed, begin, chain.points.size() - 1 };
+      this->inChain_[end / 2] = { number, isReversed, begin, chain.points.size() - 1 };
       order.push_back(static_cast<Id>(end / 2));
     }
     for (SurfacePoint& point : chain.points)
@@ -114,24 +114,24 @@ CurveChains::CurveChains(const TriangleMesh& mesh, const std::vector<SourceCurve
     }
     this->firstPoints_.push_back(numberOfPoints);
     numberOfPoints += static_cast<Id>(chain.points.size());
-    this->places_.push_back(placesAlong(mesh, chain));
+    this->parameters_.push_back(parametersAlong(mesh, chain));
   }
 }
 
-Id CurveChains::curveAt(Id chain, double place) const
+Id CurveChains::curveAt(Id chain, double parameter) const
 {
   const std::vector<Id>& order = this->order_[chain];
-  const auto behind = std::upper_bound(order.begin(), order.end(), place,
+  const auto behind = std::upper_bound(order.begin(), order.end(), parameter,
     [this, chain](double p, Id curve)
-    { return p < this->places_[chain][this->parts_[curve].begin]; });
+    { return p < this->parameters_[chain][this->inChain_[curve].begin]; });
   return behind == order.begin() ? order.front() : *(behind - 1);
 }
 
-Id CurveChains::pointAt(Id chain, double place) const
+Id CurveChains::pointAt(Id chain, double parameter) const
 {
-  const std::vector<double>& places = this->places_[chain];
-  const auto at = std::lower_bound(places.begin(), places.end(), place);
-  const std::ptrdiff_t i = std::min(at, places.end() - 1) - places.begin();
+  const std::vector<double>& parameters = this->parameters_[chain];
+  const auto at = std::lower_bound(parameters.begin(), parameters.end(), parameter);
+  const std::ptrdiff_t i = std::min(at, parameters.end() - 1) - parameters.begin();
   return this->firstPoints_[chain] + static_cast<Id>(i);
 }
 
@@ -142,16 +142,17 @@ CurveChains::Point CurveChains::pointWith(Id number) const
   return { chain, number - this->firstPoints_[chain] };
 }
 
-double CurveChains::arcLength(Id curve, double place) const
+double CurveChains::arcLength(Id curve, double parameter) const
 {
-  const Part& part = this->parts_[curve];
-  const std::vector<double>& places = this->places_[part.chain];
-  return part.isReversed ? places[part.end] - place : place - places[part.begin];
+  const CurveInChain& curveInChain = this->inChain_[curve];
+  const std::vector<double>& parameters = this->parameters_[curveInChain.chain];
+  return curveInChain.isReversed ? parameters[curveInChain.end] - parameter
+                                 : parameter - parameters[curveInChain.begin];
 }
 
 double CurveChains::angleFrom(Id curve, double angle) const
 {
-  const double turn = this->parts_[curve].isReversed ? Pi : 0.0;
+  const double turn = this->inChain_[curve].isReversed ? Pi : 0.0;
   return angle > 0.0 ? angle - turn : angle + turn;
 }
 

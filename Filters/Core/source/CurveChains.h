@@ -15,8 +15,8 @@ class CurveChains
 {
 public:
   /// A curve as a part of its chain: whether the chain runs against its direction, and the numbers
-  /// of the chain's points at which the part begins and ends.
-  struct Part
+  /// of the chain's points at which the curve begins and ends.
+  struct CurveInChain
   {
     Id chain = NoId;
     bool isReversed = false;
@@ -29,32 +29,32 @@ public:
 
   /// The chains as curves with normalized points; SourceCurve::source is that of the first.
   const std::vector<SourceCurve>& curves() const { return this->chains_; }
-  /// The places of a chain's points along it.
-  const std::vector<double>& places(Id chain) const { return this->places_[chain]; }
-  /// The curve at a place of a chain; at a joint, either one.
-  Id curveAt(Id chain, double place) const;
+  /// The parameters of a chain's points: lengths along the chain from its beginning.
+  const std::vector<double>& parameters(Id chain) const { return this->parameters_[chain]; }
+  /// The curve at a parameter of a chain; at a joint, either one.
+  Id curveAt(Id chain, double parameter) const;
   /// The points of all chains are numbered one after another. The number of the first at or behind
-  /// a place of a chain, and the point with a number.
-  Id pointAt(Id chain, double place) const;
+  /// a parameter of a chain, and the point with a number.
+  Id pointAt(Id chain, double parameter) const;
   struct Point
   {
     Id chain;
     std::size_t i;
   };
   Point pointWith(Id number) const;
-  const Part& partOf(Id curve) const { return this->parts_[curve]; }
-  /// The length along a curve, from its first point to a place of its chain.
-  double arcLength(Id curve, double place) const;
+  const CurveInChain& inChain(Id curve) const { return this->inChain_[curve]; }
+  /// The length along a curve, from its first point to a parameter of its chain.
+  double arcLength(Id curve, double parameter) const;
   /// An angle from the direction of a curve's chain, in radians, as one from the curve's direction.
   double angleFrom(Id curve, double angle) const;
 
 private:
   std::vector<SourceCurve> chains_;
-  std::vector<std::vector<double>> places_;
+  std::vector<std::vector<double>> parameters_;
   /// The curves of each chain in order along it.
   std::vector<std::vector<Id>> order_;
   /// Where each curve lies in its chain.
-  std::vector<Part> parts_;
+  std::vector<CurveInChain> inChain_;
   /// The number of each chain's first point.
   std::vector<Id> firstPoints_;
 };

@@ -11,9 +11,9 @@ namespace geodesic
 {
 
 void CurveSectors::assign(
-  const SurfacePoint& point, const std::vector<SegmentEnd>& ends, Id curve, double place)
+  const SurfacePoint& point, const std::vector<SegmentEnd>& ends, Id curve, double parameter)
 {
-  this->whole_ = { curve, false, place };
+  this->whole_ = { curve, false, parameter };
   this->frames_.clear();
   this->totals_.clear();
   this->ends_.clear();
@@ -77,7 +77,8 @@ void CurveSectors::addEnd(const SegmentEnd& end)
   const Frame& frame = *this->frameOf(end.face);
   // The counterclockwise side of a segment that begins here is its left side.
   this->ends_.push_back({ this->angleIn(frame, directionIn(this->mesh_, end, frame.halfedge)),
-    { end.curve, !end.isBeginning, end.place }, { end.curve, end.isBeginning, end.place } });
+    { end.curve, !end.isBeginning, end.parameter },
+    { end.curve, end.isBeginning, end.parameter } });
 }
 
 // At the segments themselves, and in the middle between consecutive ones.
@@ -123,7 +124,7 @@ CurveSectors::FanAngle CurveSectors::angleIn(const Frame& frame, Vec2 direction)
   return { frame.axis.fan, around };
 }
 
-PlaceOnSide CurveSectors::of(Id halfedge, Vec2 direction) const
+SideOfCurve CurveSectors::of(Id halfedge, Vec2 direction) const
 {
   const Frame* frame = this->frameOf(TriangleMesh::faceOf(halfedge));
   if (frame == nullptr || !(dot(direction, direction) > 0.0))

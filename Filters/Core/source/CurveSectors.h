@@ -10,19 +10,19 @@
 namespace geodesic
 {
 
-/// A place along a curve, on one side of the curve.
-struct PlaceOnSide
+/// One side of a curve, at a parameter (CurveChains::parameters()).
+struct SideOfCurve
 {
   Id curve = NoId;
   bool isRight = false;
-  double place = 0.0;
+  double parameter = 0.0;
 
-  bool operator==(const PlaceOnSide& other) const
+  bool operator==(const SideOfCurve& other) const
   {
     return this->curve == other.curve && this->isRight == other.isRight &&
-      this->place == other.place;
+      this->parameter == other.parameter;
   }
-  bool operator!=(const PlaceOnSide& other) const { return !(*this == other); }
+  bool operator!=(const SideOfCurve& other) const { return !(*this == other); }
 };
 
 /// The curve and the side of it to which each direction around a source's point belongs: those of
@@ -43,15 +43,16 @@ public:
   /// Moves to another point.
   ///
   /// \param ends the ends of all segments at its place: CurvesOnPatch::endsAround().
-  /// \param curve whose left side, at the place, all directions belong to if there is no segment.
+  /// \param curve whose left side, at the parameter, all directions belong to if there is no
+  /// segment.
   void assign(
-    const SurfacePoint& point, const std::vector<SegmentEnd>& ends, Id curve, double place);
+    const SurfacePoint& point, const std::vector<SegmentEnd>& ends, Id curve, double parameter);
 
   /// Whether the face is one of those around the point.
   bool haveFace(Id face) const { return this->frameOf(face) != nullptr; }
 
   /// The side that a direction, in the frame of a halfedge, belongs to.
-  PlaceOnSide of(Id halfedge, Vec2 direction) const;
+  SideOfCurve of(Id halfedge, Vec2 direction) const;
 
   /// The directions in a face at which the side changes, in the frame of one of its halfedges.
   std::vector<Vec2> changesIn(Id halfedge) const;
@@ -80,8 +81,8 @@ private:
   struct End
   {
     FanAngle at;
-    PlaceOnSide after;
-    PlaceOnSide before;
+    SideOfCurve after;
+    SideOfCurve before;
     bool operator<(const End& other) const { return this->at < other.at; }
   };
 
@@ -92,7 +93,7 @@ private:
   FanAngle angleIn(const Frame& frame, Vec2 direction) const;
 
   const TriangleMesh& mesh_;
-  PlaceOnSide whole_;
+  SideOfCurve whole_;
   /// The frame of each face, as the first turn has entered it.
   std::map<Id, Frame> frames_;
   /// The total angle of each closed fan; infinite for the others.

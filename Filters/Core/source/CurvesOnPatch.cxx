@@ -127,7 +127,7 @@ void addEnd(const TriangleMesh& mesh, const CurveChains& chains, const CurveChai
   if (!steps.empty())
   {
     ends.push_back({ curve.points[at.i], curve.points[step.to], curve.faces[step.segment], at.chain,
-      chains.places(at.chain)[at.i], isForward,
+      chains.parameters(at.chain)[at.i], isForward,
       steps.size() > 1 ? onwardBehind(mesh, curve, steps) : FaceDirection() });
   }
 }
@@ -181,7 +181,7 @@ CurvesOnPatch::CurvesOnPatch(const ReplicatedPatch& patch, const std::vector<Sou
       }
       for (const Id vertex : vertices)
       {
-        this->vertices_.push_back({ vertex, chain, i, this->chains_.places(chain)[i] });
+        this->vertices_.push_back({ vertex, chain, i, this->chains_.parameters(chain)[i] });
       }
     }
   }
@@ -245,8 +245,8 @@ std::vector<SegmentEnd> CurvesOnPatch::endsOf(Id vertex, bool isAround) const
   }
   const auto isLess = [](const SegmentEnd& a, const SegmentEnd& b)
   {
-    return std::make_tuple(a.face, a.to.members(), a.curve, a.place) <
-      std::make_tuple(b.face, b.to.members(), b.curve, b.place);
+    return std::make_tuple(a.face, a.to.members(), a.curve, a.parameter) <
+      std::make_tuple(b.face, b.to.members(), b.curve, b.parameter);
   };
   std::stable_sort(ends.begin(), ends.end(), isLess);
   const auto isSame = [&](const SegmentEnd& a, const SegmentEnd& b) { return !isLess(a, b); };
@@ -269,13 +269,13 @@ PointWithEnds CurvesOnPatch::around(Id point) const
 SourceFrame CurvesOnPatch::frameOf(Id number) const
 {
   const TriangleMesh& mesh = this->mesh();
-  const CurveChains::Part& part = this->chains_.partOf(number);
+  const CurveChains::CurveInChain& part = this->chains_.inChain(number);
   const SourceCurve& curve = this->chains_.curves()[part.chain];
   SourceFrame frame;
   if (part.begin == part.end)
   {
-    const double place = this->chains_.places(part.chain)[part.begin];
-    const PointWithEnds at = this->around(this->chains_.pointAt(part.chain, place));
+    const double parameter = this->chains_.parameters(part.chain)[part.begin];
+    const PointWithEnds at = this->around(this->chains_.pointAt(part.chain, parameter));
     DirectionsAround directions(mesh);
     directions.assign(at.point, at.ends);
     const DirectionsAround::Axis axis = directions.axis();

@@ -26,13 +26,14 @@ struct PointWithEnds
   std::vector<SegmentEnd> ends;
 };
 
-/// A mesh vertex on a curve: the chain's number, the number of its point, and the point's place.
+/// A mesh vertex on a curve: the chain's number, the number of its point, and the point's
+/// parameter.
 struct VertexOnCurve
 {
   Id vertex;
   Id curve = 0;
   std::size_t i = 0;
-  double place = 0.0;
+  double parameter = 0.0;
 
   bool operator<(const VertexOnCurve& other) const { return this->vertex < other.vertex; }
 };

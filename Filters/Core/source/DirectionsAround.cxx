@@ -60,7 +60,7 @@ void DirectionsAround::assign(const SurfacePoint& point, const std::vector<Segme
     const Id halfedge = longestHalfedge(this->mesh_, end.face);
     const double around = this->around(halfedge, directionIn(this->mesh_, end, halfedge));
     this->ends_.push_back(
-      { this->fanOf(around).at(around), end.curve, end.place, end.isBeginning });
+      { this->fanOf(around).at(around), end.curve, end.parameter, end.isBeginning });
   }
   std::stable_sort(this->ends_.begin(), this->ends_.end());
 }

@@ -74,7 +74,7 @@ private:
   {
     double at = 0.0;
     Id curve = NoId;
-    double place = 0.0;
+    double parameter = 0.0;
     bool isForward = true;
 
     bool operator<(const End& other) const { return this->at < other.at; }
@@ -82,7 +82,7 @@ private:
     double angle(bool isClockwise) const { return this->isForward ? 0.0 : isClockwise ? Pi : -Pi; }
     bool isContinuedBy(const End& other) const
     {
-      return this->curve == other.curve && this->place == other.place &&
+      return this->curve == other.curve && this->parameter == other.parameter &&
         this->isForward != other.isForward;
     }
   };

@@ -128,7 +128,7 @@ public:
 
   /// \param row the numbers of consecutive points.
   RowOfPoints(const TriangleMesh& mesh, const std::vector<PossiblePlaces>& places,
-    const std::vector<std::size_t>& row, std::vector<Id>& components,
+    const std::vector<std::size_t>& row, MeshComponents& components,
     const LengthBetween& lengthBetween)
     : mesh_(mesh)
     , row_(row)
@@ -190,23 +190,12 @@ public:
   }
 
 private:
-  Id component(const SurfacePoint& place) const
-  {
-    if (this->components_.empty())
-    {
-      this->components_ = this->mesh_.components();
-    }
-    const bool isVertex = place.kind == SurfacePoint::Kind::Vertex;
-    return this
-      ->components_[isVertex ? place.id : this->mesh_.triangle(someFace(this->mesh_, place))[0]];
-  }
-
   /// Whether a step, which is none without a break, has the kind of break.
   bool isOf(const Breaks& kind, std::size_t l, const Step& step) const
   {
     return kind == Change ||
-      (this->component(this->layers_[l].places[step.first]) ==
-        this->component(this->layers_[l + 1].places[step.second])) == (kind == Gap);
+      (this->components_.of(this->layers_[l].places[step.first]) ==
+        this->components_.of(this->layers_[l + 1].places[step.second])) == (kind == Gap);
   }
 
   void countBreaks(std::size_t l)
@@ -313,15 +302,26 @@ private:
 
   const TriangleMesh& mesh_;
   const std::vector<std::size_t>& row_;
-  std::vector<Id>& components_;
+  MeshComponents& components_;
   const LengthBetween& lengthBetween_;
   std::vector<Layer> layers_;
 };
 
 } // anonymous namespace
 
+Id MeshComponents::of(const SurfacePoint& point)
+{
+  if (this->ofVertices_.empty())
+  {
+    this->ofVertices_ = this->mesh_.components();
+  }
+  const bool isVertex = point.kind == SurfacePoint::Kind::Vertex;
+  return this
+    ->ofVertices_[isVertex ? point.id : this->mesh_.triangle(someFace(this->mesh_, point))[0]];
+}
+
 std::vector<ChosenPlaces> choosePlaces(const TriangleMesh& mesh,
-  const std::vector<PossiblePlaces>& places, bool closed, std::vector<Id>& components,
+  const std::vector<PossiblePlaces>& places, bool closed, MeshComponents& components,
   const LengthBetween& lengthBetween)
 {
   const std::size_t count = places.size();

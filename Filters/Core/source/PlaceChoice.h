@@ -10,6 +10,23 @@
 namespace geodesic
 {
 
+/// The connected components of a mesh, found when they are first asked for.
+class MeshComponents
+{
+public:
+  explicit MeshComponents(const TriangleMesh& mesh)
+    : mesh_(mesh)
+  {
+  }
+
+  /// The number of the component that contains a point.
+  Id of(const SurfacePoint& point);
+
+private:
+  const TriangleMesh& mesh_;
+  std::vector<Id> ofVertices_;
+};
+
 /// The possible places of a polyline's point, in order of preference. There are several where the
 /// surface touches or overlaps itself.
 using PossiblePlaces = std::vector<SurfacePoint>;
@@ -37,11 +54,10 @@ using LengthBetween = std::function<double(std::size_t point, std::size_t from, 
 ///
 /// \param places at least one for each point.
 /// \param closed whether the last point joins the first.
-/// \param components TriangleMesh::components(); if empty, they are computed when needed.
 /// \param lengthBetween called only for connected places without a common face, on ways with the
 ///        fewest breaks.
 std::vector<ChosenPlaces> choosePlaces(const TriangleMesh& mesh,
-  const std::vector<PossiblePlaces>& places, bool closed, std::vector<Id>& components,
+  const std::vector<PossiblePlaces>& places, bool closed, MeshComponents& components,
   const LengthBetween& lengthBetween);
 
 }

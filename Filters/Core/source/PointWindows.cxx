@@ -233,7 +233,7 @@ struct PointEmitter
       {
         const Barycentric b = fromHalfedgeFrame(this->mesh, s, { x, 0.0 });
         this->result.inFaces.push_back({ TriangleMesh::faceOf(s), b, b, this->source.curve,
-          this->source.placeOfA, this->source.placeOfB });
+          this->source.parameterOfA, this->source.parameterOfB });
       }
       this->sendThrough(s, { begin, end, x, -point.y, 0.0, 0.0, Window::Kind::Circular, 0 },
         isTurned ? frame.mirrored() : frame);
@@ -331,11 +331,11 @@ struct PointEmitter
   void setOrigin(Window& window, const WindowFrame& frame, Vec2 ray) const
   {
     const Vec2 direction = frame.toHalfedge(ray);
-    const PlaceOnSide at = this->from.sectors.of(frame.leftThrough, direction);
+    const SideOfCurve at = this->from.sectors.of(frame.leftThrough, direction);
     const bool isFaceMirrored =
       this->from.directions.isMirrored(TriangleMesh::faceOf(frame.leftThrough));
-    window.origin = RayOrigin::pointSide(this->from.chains.pointAt(at.curve, at.place), at.isRight,
-      isFaceMirrored != frame.isMirrored);
+    window.origin = RayOrigin::pointSide(this->from.chains.pointAt(at.curve, at.parameter),
+      at.isRight, isFaceMirrored != frame.isMirrored);
     window.start = RayStart::atAngle(this->from.directions.around(frame.leftThrough, direction) -
       angleAround(window.origin, {}, ray));
   }

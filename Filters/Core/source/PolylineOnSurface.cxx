@@ -58,15 +58,15 @@ void check(const TriangleMesh& mesh, const LocatedPolyline& polyline)
 bool areJoined(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to)
 {
   std::vector<Id> faces;
-  std::set<Id> reached;
-  const auto reach = [&](Id face)
+  std::set<Id> entered;
+  const auto enter = [&](Id face)
   {
-    if (reached.insert(face).second)
+    if (entered.insert(face).second)
     {
       faces.push_back(face);
     }
   };
-  forEachFace(mesh, from, reach);
+  forEachFace(mesh, from, enter);
   for (std::size_t n = 0; n < faces.size(); ++n)
   {
     const Id face = faces[n];
@@ -82,7 +82,7 @@ bool areJoined(const TriangleMesh& mesh, const SurfacePoint& from, const Surface
     {
       for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
       {
-        reach(TriangleMesh::faceOf(s));
+        enter(TriangleMesh::faceOf(s));
       }
     }
   }
@@ -101,6 +101,7 @@ public:
     , join_(join)
     , job_(job)
     , numberOfPoints_(static_cast<double>(numberOfPoints))
+    , components_(mesh)
   {
   }
 
@@ -324,8 +325,7 @@ private:
   /// Points of the finished polylines.
   double pointsDone_ = 0.0;
   std::size_t pointsPlaced_ = 0;
-  /// The component of each vertex, for choosePlaces().
-  std::vector<Id> components_;
+  MeshComponents components_;
   SourceCurves result_;
 };
 

@@ -30,8 +30,8 @@ Vec2 directionIn(const TriangleMesh& mesh, const SegmentEnd& end, Id halfedge)
     : inHalfedgeFrame(mesh, halfedge, end.to) - inHalfedgeFrame(mesh, halfedge, end.from);
 }
 
-std::vector<SourceInFace> segmentsInFaces(
-  const TriangleMesh& mesh, const SourceCurve& curve, Id number, const std::vector<double>& places)
+std::vector<SourceInFace> segmentsInFaces(const TriangleMesh& mesh, const SourceCurve& curve,
+  Id number, const std::vector<double>& parameters)
 {
   std::vector<SourceInFace> segments;
   for (std::size_t i = 0; i < curve.faces.size(); ++i)
@@ -41,7 +41,7 @@ std::vector<SourceInFace> segmentsInFaces(
     const auto add = [&](Id face)
     {
       segments.push_back({ face, barycentric(mesh, p, face), barycentric(mesh, q, face), number,
-        places[i], places[i + 1] });
+        parameters[i], parameters[i + 1] });
     };
     add(curve.faces[i]);
     const SourceInFace segment = segments.back();

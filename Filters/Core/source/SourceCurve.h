@@ -49,9 +49,9 @@ struct SegmentEnd
   SurfacePoint from;
   SurfacePoint to;
   Id face = NoId;
-  /// The curve's number, the end's place along it, and whether the curve runs away from the end.
+  /// The curve's number, the end's parameter, and whether the curve runs away from the end.
   Id curve = 0;
-  double place = 0.0;
+  double parameter = 0.0;
   bool isBeginning = true;
   /// For a segment without length: the direction in its face in which the curve continues behind
   /// it.
@@ -68,10 +68,10 @@ struct SourceInFace
   Id face = NoId;
   Barycentric a = {};
   Barycentric b = {};
-  /// The number of its curve's chain (CurveChains), and the places of the ends along the chain.
+  /// The number of its curve's chain (CurveChains), and the parameters of the ends.
   Id curve = 0;
-  double placeOfA = 0.0;
-  double placeOfB = 0.0;
+  double parameterOfA = 0.0;
+  double parameterOfB = 0.0;
 
   bool operator<(const SourceInFace& other) const { return this->face < other.face; }
 };
@@ -86,9 +86,9 @@ inline bool runsAlong(std::size_t k, const Barycentric& a, const Barycentric& b)
 /// faces at that edge.
 ///
 /// \param number of the curve.
-/// \param places the places of its points.
-std::vector<SourceInFace> segmentsInFaces(
-  const TriangleMesh& mesh, const SourceCurve& curve, Id number, const std::vector<double>& places);
+/// \param parameters those of its points.
+std::vector<SourceInFace> segmentsInFaces(const TriangleMesh& mesh, const SourceCurve& curve,
+  Id number, const std::vector<double>& parameters);
 
 /// Where along a segment (a at 0, b at 1) the point nearest to a given point of its face is, by
 /// straight distance in the face.

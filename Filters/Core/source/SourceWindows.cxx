@@ -55,10 +55,10 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFac
   // If the segment touches the halfedge, rays leave the face only up to there.
   const double sigma = -cross(t, from);
   interval.clip(sigma, -t.y);
-  const double place = isRight ? segment.placeOfB + origin : segment.placeOfA - origin;
+  const double parameter = isRight ? segment.parameterOfB + origin : segment.parameterOfA - origin;
   addLeavingWindow(mesh, halfedge, interval,
     { 0.0, 0.0, -t.y, t.x, sigma, 0.0, Window::Kind::Linear, 0,
-      RayOrigin::curveSide(segment.curve, isRight), RayStart::atPlace(place) },
+      RayOrigin::curveSide(segment.curve, isRight), RayStart::atParameter(parameter) },
     windows);
 }
 
@@ -69,7 +69,7 @@ bool isAcrossWithoutArea(
 {
   const FaceShape& shape = mesh.shape(segment.face);
   return shape.hasZeroArea() &&
-    segment.placeOfB - segment.placeOfA <=
+    segment.parameterOfB - segment.parameterOfA <=
     tolerance::PathAtVertex * (lengthOfCurve + shape.longest());
 }
 
@@ -125,13 +125,13 @@ private:
 
   void addSegments(Id chain)
   {
-    const std::vector<double>& places = this->chains().places(chain);
+    const std::vector<double>& parameters = this->chains().parameters(chain);
     for (const SourceInFace& segment :
-      segmentsInFaces(this->mesh_, this->chains().curves()[chain], chain, places))
+      segmentsInFaces(this->mesh_, this->chains().curves()[chain], chain, parameters))
     {
       this->step();
       this->result_.inFaces.push_back(segment);
-      if (!isAcrossWithoutArea(this->mesh_, segment, places.back()))
+      if (!isAcrossWithoutArea(this->mesh_, segment, parameters.back()))
       {
         addSegmentWindows(this->mesh_, segment, this->result_.windows);
       }
@@ -156,7 +156,7 @@ private:
       else if (p.kind != SurfacePoint::Kind::Vertex)
       {
         this->emitFromPoint(p, this->curves_.endsAt(at), this->curves_.endsAround(at), chain,
-          this->chains().places(chain)[i]);
+          this->chains().parameters(chain)[i]);
       }
     }
   }
@@ -170,17 +170,17 @@ private:
       {
         this->result_.vertices.push_back(v.vertex);
         this->emitFromPoint(SurfacePoint::atVertex(v.vertex), this->curves_.endsAt(v.vertex),
-          this->curves_.endsAround(v.vertex), v.curve, v.place);
+          this->curves_.endsAround(v.vertex), v.curve, v.parameter);
       }
     }
   }
 
   void emitFromPoint(const SurfacePoint& p, const std::vector<SegmentEnd>& ends,
-    const std::vector<SegmentEnd>& endsAround, Id curve, double place)
+    const std::vector<SegmentEnd>& endsAround, Id curve, double parameter)
   {
     this->nextPoint();
     const CurveWedge wedge = wedgeAround(this->mesh_, p, ends);
-    this->sectors_.assign(p, endsAround, curve, place);
+    this->sectors_.assign(p, endsAround, curve, parameter);
     this->directions_.assign(p, endsAround);
     const EmittingPoint from = { this->chains(), wedge, this->sectors_, this->directions_ };
     forEachFace(this->mesh_, p,
@@ -188,7 +188,7 @@ private:
       {
         this->step();
         const Barycentric b = barycentric(this->mesh_, p, face);
-        const SourceInFace source = { face, b, b, curve, place, place };
+        const SourceInFace source = { face, b, b, curve, parameter, parameter };
         if (p.kind != SurfacePoint::Kind::Vertex)
         {
           this->result_.inFaces.push_back(source);

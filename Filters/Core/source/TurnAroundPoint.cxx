@@ -32,19 +32,19 @@ TurnAroundPoint::TurnAroundPoint(const TriangleMesh& mesh, const SurfacePoint& p
     const std::size_t end = (TriangleMesh::indexInFace(halfedge) + 1) % 3;
     this->first_ = { halfedge, b[end] * mesh.length(halfedge) };
   }
-  this->place_ = this->first_;
+  this->point_ = this->first_;
 }
 
 // Around a vertex the halfedge that begins there.
 Id TurnAroundPoint::halfedge() const
 {
-  const bool isAtEnd = !this->isCounterclockwise_ && this->place_.x == 0.0;
-  return isAtEnd ? TriangleMesh::nextInFace(this->place_.halfedge) : this->place_.halfedge;
+  const bool isAtEnd = !this->isCounterclockwise_ && this->point_.x == 0.0;
+  return isAtEnd ? TriangleMesh::nextInFace(this->point_.halfedge) : this->point_.halfedge;
 }
 
 double TurnAroundPoint::width() const
 {
-  return this->place_.x == 0.0 ? this->mesh_.cornerAngle(this->halfedge()) : Pi;
+  return this->point_.x == 0.0 ? this->mesh_.cornerAngle(this->halfedge()) : Pi;
 }
 
 // The halfedge that a turn around the corner leaves a face across if it entered the face across the
@@ -58,25 +58,25 @@ Id TurnAroundPoint::pivotNext(Id halfedge) const
 // Around an end of its longest edge a face without area has an angle of 0.
 bool TurnAroundPoint::isCrossed() const
 {
-  const Id face = TriangleMesh::faceOf(this->place_.halfedge);
+  const Id face = TriangleMesh::faceOf(this->point_.halfedge);
   if (!this->mesh_.shape(face).hasZeroArea())
   {
     return false;
   }
   const Id longest = longestHalfedge(this->mesh_, face);
-  const bool isAtApex = this->place_.halfedge == this->pivotNext(longest) &&
-    this->mesh_.length(this->place_.halfedge) > roundingOn(this->mesh_.length(longest));
-  return this->place_.x > 0.0 || isAtApex;
+  const bool isAtApex = this->point_.halfedge == this->pivotNext(longest) &&
+    this->mesh_.length(this->point_.halfedge) > roundingOn(this->mesh_.length(longest));
+  return this->point_.x > 0.0 || isAtApex;
 }
 
 // Across a face without area from its longest edge to that of the others which has the point, and
 // back. At the apex these two have it: the farther one is entered at the apex, whose faces follow.
-TurnAroundPoint::Place TurnAroundPoint::exit() const
+TurnAroundPoint::PointOnHalfedge TurnAroundPoint::exit() const
 {
-  const auto [halfedge, x] = this->place_;
+  const auto [halfedge, x] = this->point_;
   if (!this->isCrossed())
   {
-    return x > 0.0 ? this->place_ : Place{ this->pivotNext(halfedge), Infinity };
+    return x > 0.0 ? this->point_ : PointOnHalfedge{ this->pivotNext(halfedge), Infinity };
   }
   const Id longest = longestHalfedge(this->mesh_, TriangleMesh::faceOf(halfedge));
   const Id near = this->pivotNext(longest); // shares the end that x counts from
@@ -85,13 +85,14 @@ TurnAroundPoint::Place TurnAroundPoint::exit() const
   if (halfedge == longest)
   {
     const bool isBehind = x >= apex - roundingOn(this->mesh_.length(longest));
-    return isBehind ? Place{ far, this->mesh_.length(far) - (x - apex) } : Place{ near, apex - x };
+    return isBehind ? PointOnHalfedge{ far, this->mesh_.length(far) - (x - apex) }
+                    : PointOnHalfedge{ near, apex - x };
   }
   return { longest, halfedge == near ? apex - x : this->mesh_.length(longest) - x };
 }
 
 // Places on the halfedges of an edge count from its two ends.
-bool TurnAroundPoint::enterAcross(const Place& exit)
+bool TurnAroundPoint::enterAcross(const PointOnHalfedge& exit)
 {
   this->entered_ = this->mesh_.acrossOriented(exit.halfedge);
   if (this->entered_ == NoId)
@@ -100,7 +101,7 @@ bool TurnAroundPoint::enterAcross(const Place& exit)
   }
   const double length = this->mesh_.length(exit.halfedge);
   const double x = length - exit.x;
-  this->place_ = { this->entered_, x > roundingOn(length) ? x : 0.0 };
+  this->point_ = { this->entered_, x > roundingOn(length) ? x : 0.0 };
   return !this->isClosed();
 }
 
@@ -110,14 +111,14 @@ bool TurnAroundPoint::next()
 {
   if (this->isCrossed())
   {
-    const Id halfedge = this->place_.halfedge;
+    const Id halfedge = this->point_.halfedge;
     if (std::find(this->crossed_.begin(), this->crossed_.end(), halfedge) != this->crossed_.end())
     {
       return false;
     }
     this->crossed_.push_back(halfedge);
   }
-  const bool isAroundCorner = this->place_.x == 0.0 && !this->isCrossed();
+  const bool isAroundCorner = this->point_.x == 0.0 && !this->isCrossed();
   if (!this->enterAcross(this->exit()) || (isAroundCorner && this->entered_ == this->corner_))
   {
     return false;

@@ -28,7 +28,7 @@ public:
   double angle() const { return this->isCrossed() ? 0.0 : this->width(); }
 
   /// The vertex of the face that the point is at; NoId where it lies on an edge.
-  Id vertex() const { return this->place_.x == 0.0 ? this->mesh_.origin(this->halfedge()) : NoId; }
+  Id vertex() const { return this->point_.x == 0.0 ? this->mesh_.origin(this->halfedge()) : NoId; }
 
   /// Turns into the next face. \returns false where the turn has ended.
   bool next();
@@ -40,7 +40,7 @@ public:
 private:
   /// A halfedge that the point lies on, and the distance between the point and the halfedge's
   /// origin, in a clockwise turn its destination.
-  struct Place
+  struct PointOnHalfedge
   {
     Id halfedge;
     double x;
@@ -48,14 +48,14 @@ private:
 
   Id pivotNext(Id halfedge) const;
   bool isCrossed() const;
-  Place exit() const;
-  bool enterAcross(const Place& exit);
+  PointOnHalfedge exit() const;
+  bool enterAcross(const PointOnHalfedge& exit);
 
   const TriangleMesh& mesh_;
   bool isCounterclockwise_ = true;
-  Place first_;
+  PointOnHalfedge first_;
   /// On the halfedge across which the turn has entered the face.
-  Place place_;
+  PointOnHalfedge point_;
   /// The halfedge that the turn entered across last; NoId before that and where nothing follows.
   Id entered_ = NoId;
   /// That across which it entered the first face around the current corner; NoId before.

@@ -74,12 +74,12 @@ inline TwoDoubles endsOnRight(const ExitEdge& right, const Window& w)
 inline bool isUseless(TwoDoubles ends, TwoDoubles source, double sigma, const ExitEdge& exit)
 {
   const TwoDoubles ways = exit.far + ends * TwoDoubles(-1.0, 1.0);
-  const TwoDoubles reach =
+  const TwoDoubles remaining =
     (exit.known + ways) * TwoDoubles(1.0 + tolerance::Tie) - TwoDoubles(sigma);
   const TwoDoubles dx = ends - source.firstTwice();
   const TwoDoubles depth = source.secondTwice();
-  return (TwoDoubles::isGreater(TwoDoubles(0.0), reach) |
-           TwoDoubles::isGreater(dx * dx + depth * depth, reach * reach)) != 0;
+  return (TwoDoubles::isGreater(TwoDoubles(0.0), remaining) |
+           TwoDoubles::isGreater(dx * dx + depth * depth, remaining * remaining)) != 0;
 }
 
 // Propagates windows with parallel rays, which are rare.
@@ -116,7 +116,7 @@ inline void leaveThrough(
   const TwoDoubles source = TwoDoubles::raisedTo(TwoDoubles(-Infinity, 0.0), unfolded);
   if (!isUseless(ends, source, w.sigma, exit))
   {
-    Window& child = list.addUnsettled(w);
+    Window& child = list.addUntrimmed(w);
     child.begin = ends.first();
     child.end = ends.second();
     child.sourceX = source.first();
@@ -126,7 +126,7 @@ inline void leaveThrough(
     {
       child.start = RayStart::atAngle(w.start.angle() + w.origin.aroundPoint(exit.turn));
     }
-    list.settle();
+    list.trim();
   }
 }
 

@@ -15,10 +15,11 @@ namespace geodesic
 /// Whether the window's distance at x exceeds a bound by more than a tie, without a square root.
 inline bool isBeaten(const Window& w, double x, double bound)
 {
-  const double reach = bound * (1.0 + tolerance::Tie) - w.sigma;
+  const double remaining = bound * (1.0 + tolerance::Tie) - w.sigma;
   const double dx = x - w.sourceX;
-  return w.isLinear() ? w.sourceX * x > reach
-                      : reach < 0.0 || dx * dx + w.sourceDepth * w.sourceDepth > reach * reach;
+  return w.isLinear()
+    ? w.sourceX * x > remaining
+    : remaining < 0.0 || dx * dx + w.sourceDepth * w.sourceDepth > remaining * remaining;
 }
 
 /// The shortest path to the apex of a face through a list of windows on the opposite halfedge. The

@@ -25,15 +25,16 @@ struct LowerParts
 /// pencil.
 inline bool isSameSource(const Window& a, const Window& b)
 {
-  // A linear window's source is a direction, and its distance depends on the place on the halfedge.
-  // Different sources, or different places of one curve, may unfold to the same point of the plane.
+  // A linear window's source is a direction, and its distance depends on where it crosses the
+  // halfedge. Different sources, or different parameters of one curve, may unfold to the same point
+  // of the plane.
   const double source = std::abs(a.sourceX) + a.sourceDepth;
   const double length = a.isLinear() ? b.end : source;
   return std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source && a.kind == b.kind &&
     a.origin == b.origin &&
     (!a.isLinear() ||
-      std::abs(a.start.place() - b.start.place()) <=
-        tolerance::SameSource * (std::abs(a.start.place()) + length)) &&
+      std::abs(a.start.parameter() - b.start.parameter()) <=
+        tolerance::SameSource * (std::abs(a.start.parameter()) + length)) &&
     std::abs(a.sourceDepth - b.sourceDepth) <= tolerance::SameSource * source &&
     std::abs(a.sigma - b.sigma) <= tolerance::SameSource * (std::abs(a.sigma) + length);
 }

@@ -100,12 +100,12 @@ class RayStart
 {
 public:
   RayStart() = default;
-  /// On a side of a curve: the length along the curve from its beginning.
-  static RayStart atPlace(double place) { return RayStart(place); }
+  /// On a side of a curve: the parameter, a length along the curve from its beginning.
+  static RayStart atParameter(double parameter) { return RayStart(parameter); }
   /// At a point of a curve: an angle around the point (DirectionsAround::around()).
   static RayStart atAngle(double angle) { return RayStart(angle); }
 
-  double place() const { return this->number_; }
+  double parameter() const { return this->number_; }
   double angle() const { return this->number_; }
 
 private:

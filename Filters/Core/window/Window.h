@@ -74,7 +74,7 @@ struct Window
   /// Where its rays start: on a side of a curve if it is linear, else at a vertex as a
   /// pseudo-source or at a point of a curve. Distances do not depend on it.
   RayOrigin origin = {};
-  /// Linear: the place along the curve where the ray through the halfedge's origin starts. Circular
+  /// Linear: the curve's parameter where the ray through the halfedge's origin starts. Circular
   /// from a curve's point: the angle of the x axis around the point, if the front keeps angles;
   /// else unused.
   RayStart start = {};
@@ -124,7 +124,7 @@ struct Window
   {
     const double along = this->sourceDepth * p.x - this->sourceX * p.y;
     return this->isLinear()
-      ? RayStart::atPlace(this->start.place() + this->origin.alongCurve(along))
+      ? RayStart::atParameter(this->start.parameter() + this->origin.alongCurve(along))
       : this->start;
   }
 

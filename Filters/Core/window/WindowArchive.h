@@ -137,7 +137,7 @@ public:
     this->start_.assign(used + 1, 0);
     for (const Run& run : this->added_)
     {
-      ++this->start_[this->placeOf(run.halfedge)];
+      ++this->start_[this->slotOf(run.halfedge)];
     }
     for (std::size_t s = 1; s < this->start_.size(); ++s)
     {
@@ -147,7 +147,7 @@ public:
     this->runs_.resize(this->added_.size());
     for (auto run = this->added_.rbegin(); run != this->added_.rend(); ++run)
     {
-      this->runs_[--this->start_[this->placeOf(run->halfedge)]] = run->windows;
+      this->runs_[--this->start_[this->slotOf(run->halfedge)]] = run->windows;
     }
     this->added_ = {};
   }
@@ -160,7 +160,7 @@ public:
     {
       return {};
     }
-    const std::size_t i = this->placeOf(halfedge);
+    const std::size_t i = this->slotOf(halfedge);
     return { this->runs_.data() + this->start_[i], this->runs_.data() + this->start_[i + 1] };
   }
 
@@ -176,7 +176,7 @@ private:
   };
 
   /// How many halfedges before one have windows.
-  std::size_t placeOf(Id halfedge) const
+  std::size_t slotOf(Id halfedge) const
   {
     const Block& block = this->blocks_[halfedge / 64];
     const std::uint64_t before = (std::uint64_t(1) << halfedge % 64) - 1;

@@ -36,7 +36,7 @@ void WindowListBuilder::reset(double edgeLength)
 }
 
 // The added window overlaps the window before it.
-void WindowListBuilder::settleOverlapping()
+void WindowListBuilder::trimOverlapping()
 {
   const std::size_t size = this->windows_.size();
   Window& added = this->windows_[size - 1];
@@ -51,17 +51,17 @@ void WindowListBuilder::settleOverlapping()
   }
   else if (last.end - added.begin <= 2.0 * this->leastWidth_)
   {
-    this->settleBehindLast(last, added);
+    this->trimBehindLast(last, added);
   }
   else
   {
-    this->settleAgainstLast(last, added);
+    this->trimAgainstLast(last, added);
   }
 }
 
 // The windows overlap by a few roundings. A cut there would be meaningless, so the lower window
 // gets the whole overlap.
-void WindowListBuilder::settleBehindLast(Window& last, Window& added)
+void WindowListBuilder::trimBehindLast(Window& last, Window& added)
 {
   const double middle = 0.5 * (added.begin + last.end);
   if (last.distance(middle) <= added.distance(middle))
@@ -91,11 +91,11 @@ void WindowListBuilder::dropNarrow(Window& last, Window& added)
 }
 
 // The added window overlaps only the list's last window, and begins inside it.
-void WindowListBuilder::settleAgainstLast(Window& last, Window& added)
+void WindowListBuilder::trimAgainstLast(Window& last, Window& added)
 {
   const double hi = std::min(last.end, added.end);
   const LowerParts lower = lowerOf(last, added, added.begin, hi);
-  if (!this->settleInPlace(last, added, lower, hi))
+  if (!this->trimInPlace(last, added, lower, hi))
   {
     const Window old = last;
     const Window window = added;
@@ -106,8 +106,7 @@ void WindowListBuilder::settleAgainstLast(Window& last, Window& added)
 
 // The frequent cases: each of the two windows keeps one part of its interval. Returns false,
 // without any change, in all other cases.
-bool WindowListBuilder::settleInPlace(
-  Window& last, Window& added, const LowerParts& lower, double hi)
+bool WindowListBuilder::trimInPlace(Window& last, Window& added, const LowerParts& lower, double hi)
 {
   if (lower.firstIsA && lower.cuts == 0)
   {
@@ -128,8 +127,8 @@ bool WindowListBuilder::settleInPlace(
   return true;
 }
 
-// Appends parts of the two windows in turn, each up to the next cut, and the last part up to the
-// end of its window.
+// Appends the part of the last window up to the first cut, then parts of the two windows by turns,
+// each up to the next cut, and what one of them has behind the other.
 void WindowListBuilder::appendParts(
   const Window& last, const Window& window, const LowerParts& lower, double hi)
 {
@@ -141,18 +140,16 @@ void WindowListBuilder::appendParts(
     this->windows_.push_back(last);
     this->windows_.back().end = begin;
   }
-  for (int i = lower.firstIsA ? 1 : 0; i <= lower.cuts; ++i)
+  const Window* part = &window;
+  const Window* other = &last;
+  for (int i = lower.firstIsA ? 1 : 0; i < lower.cuts; ++i)
   {
-    const bool isLast = (i % 2 == 0) == lower.firstIsA;
-    const Window& part = isLast ? last : window;
-    this->push(part, begin, i < lower.cuts ? cutAt(i) : part.end);
+    this->push(*part, begin, cutAt(i));
     begin = cutAt(i);
-    if (i == lower.cuts)
-    {
-      const Window& other = isLast ? window : last;
-      this->push(other, hi, other.end);
-    }
+    std::swap(part, other);
   }
+  this->push(*part, begin, part->end);
+  this->push(*other, hi, other->end);
 }
 
 void WindowListBuilder::appendToSeveral(const Window& window)

@@ -23,23 +23,23 @@ public:
   /// result.
   void append(const Window& window)
   {
-    this->addUnsettled(window);
-    this->settle();
+    this->addUntrimmed(window);
+    this->trim();
   }
 
   /// append() in two steps, which makes a window in place: the first step adds a copy that the
-  /// caller changes, the second settles it. No other call may come between them.
-  Window& addUnsettled(const Window& window)
+  /// caller changes, the second trims it. No other call may come between them.
+  Window& addUntrimmed(const Window& window)
   {
     this->windows_.push_back(window);
     return this->windows_.back();
   }
-  void settle()
+  void trim()
   {
     const Window& added = this->windows_.back();
     if (this->windows_.size() > 1 && (&added - 1)->end > added.begin)
     {
-      this->settleOverlapping();
+      this->trimOverlapping();
     }
     else if (!this->isWide(added.begin, added.end))
     {
@@ -68,10 +68,10 @@ public:
   }
 
 private:
-  void settleOverlapping();
-  void settleBehindLast(Window& last, Window& added);
-  void settleAgainstLast(Window& last, Window& added);
-  bool settleInPlace(Window& last, Window& added, const LowerParts& lower, double hi);
+  void trimOverlapping();
+  void trimBehindLast(Window& last, Window& added);
+  void trimAgainstLast(Window& last, Window& added);
+  bool trimInPlace(Window& last, Window& added, const LowerParts& lower, double hi);
   void dropNarrow(Window& last, Window& added);
   void appendParts(const Window& last, const Window& window, const LowerParts& lower, double hi);
   void appendToSeveral(const Window& window);

@@ -10,7 +10,7 @@ namespace
 {
 
 /// Values of a window at one of its ends, which share one square root.
-struct End
+struct EndValues
 {
   double distance;
   /// The slope of the distance there as a fraction. For a circular window, the source's offset and
@@ -19,7 +19,7 @@ struct End
   double run;
 };
 
-End endOf(const Window& w, double x)
+EndValues endOf(const Window& w, double x)
 {
   if (w.isLinear())
   {
@@ -31,14 +31,14 @@ End endOf(const Window& w, double x)
 }
 
 /// A window of the list with the values at its ends, each of which is used several times.
-struct Measured
+struct MeasuredWindow
 {
   Window* window;
-  End begin;
-  End end;
+  EndValues begin;
+  EndValues end;
 };
 
-Measured measured(Window& w)
+MeasuredWindow measured(Window& w)
 {
   if (w.isLinear())
   {
@@ -52,7 +52,7 @@ Measured measured(Window& w)
 }
 
 // Window::minimum() without a square root.
-double minimum(const Window& w, const End& begin, const End& end)
+double minimum(const Window& w, const EndValues& begin, const EndValues& end)
 {
   if (w.isLinear())
   {
@@ -63,17 +63,17 @@ double minimum(const Window& w, const End& begin, const End& end)
                               : w.sigma + w.sourceDepth;
 }
 
-struct Limits
+struct MergeLimits
 {
   double relativeError;
   double maximumAdded;
 };
 
 /// Two neighbours that meet at `joint`, and the properties that a merged window must keep.
-struct Pair
+struct Neighbours
 {
-  const Measured& left;
-  const Measured& right;
+  const MeasuredWindow& left;
+  const MeasuredWindow& right;
   double begin = this->left.window->begin;
   double joint = this->right.window->begin;
   double end = this->right.window->end;
@@ -96,18 +96,18 @@ struct Pair
 // are a one-parameter family; the farther the source, the flatter the function. The merged function
 // is below everywhere if it is below at the joint and no steeper outwards at the ends: the
 // difference of two such functions has at most two zeros, and one is at the end already.
-double farthestRadius(const Pair& p)
+double farthestRadius(const Neighbours& p)
 {
   double radius = Infinity;
   // slope at begin: rise / width - open / (2 width r0), by the law of cosines
-  const End& begin = p.left.begin;
+  const EndValues& begin = p.left.begin;
   const double overLeft = p.rise * begin.run - p.width * begin.rise;
   if (overLeft > 0.0)
   {
     radius = std::min(radius, p.open * begin.run / (2.0 * overLeft));
   }
   // slope at end: rise / width + open / (2 width r1), with r1 = r0 + rise
-  const End& end = p.right.end;
+  const EndValues& end = p.right.end;
   const double overRight = p.width * end.rise - p.rise * end.run;
   if (overRight > 0.0)
   {
@@ -156,14 +156,14 @@ double innerGap(const Window& original, const Window& merged)
 }
 
 /// A merged window that has yet to be checked against the limits.
-struct Candidate
+struct MergedWindow
 {
   Window window;
   double atJoint;
 };
 
 // Whether the merged window is within the limits, given the gap at the joint.
-bool isWithin(const Pair& p, const Limits& limits, double added, double atJoint)
+bool isWithin(const Neighbours& p, const MergeLimits& limits, double added, double atJoint)
 {
   const double gapLeft = p.left.end.distance - atJoint;
   const double gapRight = p.right.begin.distance - atJoint;
@@ -171,7 +171,7 @@ bool isWithin(const Pair& p, const Limits& limits, double added, double atJoint)
     added + gapLeft <= limits.maximumAdded && gapRight <= limits.maximumAdded;
 }
 
-bool mergeLinear(const Pair& p, Candidate& merged)
+bool mergeLinear(const Neighbours& p, MergedWindow& merged)
 {
   Window& w = merged.window;
   w = *p.left.window;
@@ -183,7 +183,8 @@ bool mergeLinear(const Pair& p, Candidate& merged)
   return merged.atJoint <= p.atJoint;
 }
 
-bool mergeCircular(const Pair& p, const Limits& limits, double added, Candidate& merged)
+bool mergeCircular(
+  const Neighbours& p, const MergeLimits& limits, double added, MergedWindow& merged)
 {
   // The distance of a pseudo-source cannot be negative.
   const double radius = std::min(farthestRadius(p), p.atBegin);
@@ -215,14 +216,15 @@ bool mergeCircular(const Pair& p, const Limits& limits, double added, Candidate&
 ///
 /// \param added how far the left window, if itself merged, may be below the windows that it
 ///        replaced; updated for the new window.
-bool merge(Measured& left, const Measured& right, const Limits& limits, double& added)
+bool merge(
+  MeasuredWindow& left, const MeasuredWindow& right, const MergeLimits& limits, double& added)
 {
-  const Pair p{ left, right };
+  const Neighbours p{ left, right };
   if (!(limits.relativeError * p.least > p.inherited) || !(std::abs(p.rise) < p.width))
   {
     return false;
   }
-  Candidate merged;
+  MergedWindow merged;
   const bool isLinear = left.window->isLinear() && right.window->isLinear();
   if (!(isLinear ? mergeLinear(p, merged) : mergeCircular(p, limits, added, merged)))
   {
@@ -232,9 +234,9 @@ bool merge(Measured& left, const Measured& right, const Limits& limits, double& 
   w.end = p.end;
   w.facesCrossed =
     std::max<Id>(left.window->facesCrossed, right.window->facesCrossed) & MaximumFacesCrossed;
-  Measured ends = measured(w);
-  End& begin = ends.begin;
-  End& end = ends.end;
+  MeasuredWindow ends = measured(w);
+  EndValues& begin = ends.begin;
+  EndValues& end = ends.end;
   // Rounding may leave the merged window above an end by some units in the last place.
   const double excess = std::max(0.0, std::max(begin.distance - p.atBegin, end.distance - p.atEnd));
   w.sigma -= excess;
@@ -268,14 +270,14 @@ double mergeNeighbours(
   {
     return 0.0;
   }
-  const Limits limits = { relativeError, maximumAdded };
+  const MergeLimits limits = { relativeError, maximumAdded };
   double largest = 0.0;
   double added = 0.0; // by the last window
   Window* last = list.data;
-  Measured left = measured(*last);
+  MeasuredWindow left = measured(*last);
   for (std::uint32_t i = 1; i < list.size; ++i)
   {
-    const Measured right = measured(list.data[i]);
+    const MeasuredWindow right = measured(list.data[i]);
     const bool meet = right.window->begin - last->end <= tolerance::LeastWidth * edgeLength;
     if (meet && merge(left, right, limits, added))
     {

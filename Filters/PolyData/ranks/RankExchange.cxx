@@ -92,31 +92,31 @@ std::vector<Message> RankExchange::step(std::vector<Message> messages, std::vect
   this->takeLeast(least);
 
   std::vector<Message> received = this->makeRoom();
-  std::vector<unsigned char*> places;
+  std::vector<unsigned char*> buffers;
   std::byte* next = this->room_.data();
   for (std::size_t i = 0; i < received.size(); ++i)
   {
     const std::size_t size = this->sizeBetween(static_cast<int>(i), this->rank_);
-    std::byte* place = received[i].empty() ? next : received[i].data();
-    places.push_back(reinterpret_cast<unsigned char*>(place));
+    std::byte* buffer = received[i].empty() ? next : received[i].data();
+    buffers.push_back(reinterpret_cast<unsigned char*>(buffer));
     next += received[i].empty() ? size : 0;
   }
 #if VTK_MODULE_ENABLE_VTK_ParallelMPI
   if (auto* controller = vtkMPIController::SafeDownCast(this->controller_))
   {
-    this->transferAtOnce(messages, places, *controller);
+    this->transferAtOnce(messages, buffers, *controller);
   }
   else
 #endif
   {
-    this->transferInOrder(messages, places);
+    this->transferInOrder(messages, buffers);
   }
   for (std::size_t i = 0; i < received.size(); ++i)
   {
     const std::size_t size = this->sizeBetween(static_cast<int>(i), this->rank_);
     if (received[i].empty() && size > 0)
     {
-      const auto* bytes = reinterpret_cast<const std::byte*>(places[i]);
+      const auto* bytes = reinterpret_cast<const std::byte*>(buffers[i]);
       received[i].assign(bytes, bytes + size);
     }
   }

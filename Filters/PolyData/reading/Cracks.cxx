@@ -90,8 +90,8 @@ std::vector<BoundaryEdge> edgesOfOthers(
 class EdgeLocator
 {
 public:
-  /// \param reach how far an edge may be from a place at most.
-  EdgeLocator(const std::vector<BoundaryEdge>& edges, double reach)
+  /// \param farthest how far an edge may be from a place at most.
+  EdgeLocator(const std::vector<BoundaryEdge>& edges, double farthest)
     : edges_(edges)
   {
     double sum = 0.0;
@@ -100,8 +100,8 @@ public:
       sum += norm(edge.end - edge.begin);
     }
     const double mean = sum / static_cast<double>(edges.size());
-    this->level_ = seamLevelFor(std::max(mean, reach));
-    // A place is within half a cube of such a point if it is within the reach of the edge.
+    this->level_ = seamLevelFor(std::max(mean, farthest));
+    // A place is within half a cube of such a point if it is no farther from the edge.
     const double spacing = std::ldexp(0.25, this->level_);
     for (std::size_t i = 0; i < edges.size(); ++i)
     {
@@ -120,7 +120,7 @@ public:
   }
 
   /// How far the middle of an edge is from the nearest edge of another face; infinite if none is
-  /// within the limit, which is below the reach.
+  /// within the limit, which is at most the farthest.
   double distanceFrom(const BoundaryEdge& edge, double limit) const
   {
     const Vec3 middle = 0.5 * (edge.begin + edge.end);

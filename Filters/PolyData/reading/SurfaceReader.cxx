@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/reading/SurfaceReader.h"
+
 #include "PolyData/Hash.h"
 #include "PolyData/ranks/RankSeams.h"
 #include "PolyData/reading/Cracks.h"
-#include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/SeamMerger.h"
 #include "PolyData/reading/SurfaceReaderOnRanks.h"
 #include "PolyData/reading/TriangleReader.h"
+#include "PolyData/reading/TriangleRoles.h"
 #include "mesh/Box.h"
 #include "mesh/GroupedItems.h"
 

@@ -2,10 +2,8 @@
 #ifndef geodesic_TriangleReader_h
 #define geodesic_TriangleReader_h
 
-#include "Exchange.h"
 #include "Job.h"
 #include "PolyData/PolyDataBlocks.h"
-#include "PolyData/ranks/RankSeams.h"
 #include "PolyData/reading/PolyDataSurface.h"
 
 #include "vtkType.h"
@@ -64,22 +62,6 @@ struct TriangleList
 TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const VertexOfPoint& vertexOf,
   vtkIdType numberOfFaces, const Job& job, std::vector<SurfaceBlock>& blocks,
   SurfaceReport& report);
-
-/// Finds the roles of the triangles of all ranks, which call this together.
-///
-/// The originals of triangles that ghost arrays mark as duplicates are looked for on all ranks. A
-/// marked cell on the vertices of an unmarked cell of this rank gets that cell's triangles (a
-/// polygon may be cut in several ways). A marked cell without an original is surface itself; of
-/// several such cells on the same vertices, the first.
-///
-/// \param inputs which triangles are barriers.
-/// \param labels of the vertices.
-/// \param triangles the corners of marked ones may change.
-/// \returns of each triangle; empty if all are open.
-/// \throws MeshError if no open triangle is left on any rank, where this one has barriers.
-std::vector<TriangleRole> findRoles(const std::vector<PolyDataBlock>& inputs,
-  const RankLabels& labels, const VertexOfPoint& vertexOf, TriangleList& triangles,
-  Exchange& exchange);
 
 /// Gives blocks their triangles as cells, after duplicates have been given those of their
 /// originals.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/reading/TriangleRoles.h"
+
 #include "PolyData/Hash.h"
-#include "PolyData/reading/TriangleReader.h"
 #include "Questions.h"
 
 #include "vtkDataArray.h"

@@ -150,7 +150,7 @@ void forEachKind(const SourceArrayChoice& choice, const Visit& visit)
   }
 }
 
-SourceValues valuesOf(const SourceArrays& arrays, const Foot& foot, const NearestSource& nearest)
+SourceValues valuesOf(const SourceArrays& arrays, const Foot& foot, NearestSource& nearest)
 {
   SourceValues values;
   if (!foot.isKnown())
@@ -183,7 +183,7 @@ SourceValues valuesOf(const SourceArrays& arrays, const Foot& foot, const Neares
 /// \param at of each point, if these are asked for, the foot, and the segment for the gradient:
 ///        (std::size_t i) -> std::pair<Foot, IncomingSegment>
 template <typename At>
-ValuesAtPoints collect(const SourceArrays& arrays, const NearestSource& nearest, std::size_t count,
+ValuesAtPoints collect(const SourceArrays& arrays, NearestSource& nearest, std::size_t count,
   const DistanceField& computed, const Job& job, const At& at)
 {
   ValuesAtPoints values;
@@ -231,7 +231,7 @@ void addEmptyArrays(const SourceArrayChoice& choice, vtkPolyData* output)
 }
 
 ValuesAtPoints SourceArrays::atVertices(
-  const DistanceField& computed, const NearestSource& nearest, const Job& job) const
+  const DistanceField& computed, NearestSource& nearest, const Job& job) const
 {
   const auto at = [&](std::size_t i)
   {

@@ -96,7 +96,7 @@ struct SourceArrays
   ///
   /// \param computed the field that gradients are of, with arrivals.
   ValuesAtPoints atVertices(
-    const DistanceField& computed, const NearestSource& nearest, const Job& job) const;
+    const DistanceField& computed, NearestSource& nearest, const Job& job) const;
   /// Values for the points that refinement has added. A point on a seam has the values of the rank
   /// that knows them best. All ranks call this together.
   ///

@@ -309,9 +309,9 @@ std::vector<RefinedBlock> partsByBlock(
   return parts;
 }
 
-void writeWhole(
-  const SurfaceBlock& block, int pointType, vtkPolyData* input, vtkPolyData* output, const Job& job)
+void writeWhole(const BlockToWrite& to, const Job& job)
 {
+  const auto& [block, input, output, pointType] = to;
   output->SetPoints(storePoints(input->GetPoints(), pointType, {}, {}, job));
   output->GetPointData()->PassData(input->GetPointData());
   output->SetPolys(block.triangles);
@@ -325,13 +325,13 @@ void writeWhole(
   requireMemory(count, bytesATuple(from));
   output->GetCellData()->CopyGlobalIdsOff();
   copyData(
-    from, count, [&block](vtkIdType i) { return block.inputCell(i); }, output->GetCellData(), job);
+    from, count, [&to](vtkIdType i) { return to.block.inputCell(i); }, output->GetCellData(), job);
 }
 
-void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined,
-  const PowerOfTwoScale& scale, int pointType, vtkPolyData* input, vtkPolyData* output,
-  const Job& job)
+void writeRefined(
+  const BlockToWrite& to, const RefinedMesh& refined, const PowerOfTwoScale& scale, const Job& job)
 {
+  const auto& [block, input, output, pointType] = to;
   constexpr double pointsDone = 0.1;
   constexpr double pointDataDone = 0.5;
   output->SetPoints(

@@ -28,23 +28,28 @@ struct RefinedBlock
 std::vector<RefinedBlock> partsByBlock(
   const PolyDataSurface& surface, RefinedMesh refined, ValuesAtPoints values);
 
-/// Gives an output the points of the input that a block was made from with their data, the block's
-/// triangles, and for each the data of the cell that it came from.
-///
-/// \param pointType VTK's type of the output's points: typeOfPoints().
-void writeWhole(const SurfaceBlock& block, int pointType, vtkPolyData* input, vtkPolyData* output,
-  const Job& job);
+/// A block of the surface, the input that it was made from and the output that it goes to.
+struct BlockToWrite
+{
+  const SurfaceBlock& block;
+  vtkPolyData* input;
+  vtkPolyData* output;
+  /// VTK's type of the output's points: typeOfPoints().
+  int pointType;
+};
 
-/// Gives an output a refined block: the input's points with their data, the new points with
+/// Gives the output the points of the input with their data, the block's triangles, and for each
+/// the data of the cell that it came from.
+void writeWhole(const BlockToWrite& to, const Job& job);
+
+/// Gives the output a refined block: the input's points with their data, the new points with
 /// interpolated data, and the triangles with the data of the cells that they are parts of and those
 /// cells' numbers as OriginalCellIds.
 ///
 /// \param refined in numbers of the block, see partsByBlock().
 /// \param scale of the refined mesh.
-/// \param pointType VTK's type of the output's points: typeOfPoints().
-void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined,
-  const PowerOfTwoScale& scale, int pointType, vtkPolyData* input, vtkPolyData* output,
-  const Job& job);
+void writeRefined(
+  const BlockToWrite& to, const RefinedMesh& refined, const PowerOfTwoScale& scale, const Job& job);
 
 /// Leaves out of a data set of polygons the points that none of them uses; the others keep their
 /// order and their data. Arrays are replaced, not changed: other data sets may have them, too.

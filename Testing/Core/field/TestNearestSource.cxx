@@ -247,7 +247,7 @@ TEST_P(NearestSources, HaveTheirFeetAsFarAsTheField)
       const double error = std::abs(distance - s.truth[i]) / s.largest;
       EXPECT_LE(error, accuracyOn(kind()))
         << kind().name << ", seed " << seed << ", point " << i << ", curve " << foot.curve << " at "
-        << foot.place << ", distance " << distance << ", truth " << s.truth[i];
+        << foot.parameter << ", distance " << distance << ", truth " << s.truth[i];
       worst = std::max(worst, error);
     }
   }

@@ -370,8 +370,8 @@ TEST_P(SidesOfRegions, AreInsideAndOutside)
       {
         ++wrong;
         std::cout << GetParam().name << ", seed " << seed << ", face " << point.face
-                  << ", distance " << distance << ", curve " << foot.curve << " at " << foot.place
-                  << ": the wrong side\n";
+                  << ", distance " << distance << ", curve " << foot.curve << " at "
+                  << foot.parameter << ": the wrong side\n";
       }
     };
     for (Index vertex = 0; vertex < plain.points.size(); ++vertex)

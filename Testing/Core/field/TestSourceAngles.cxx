@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The places along a curve where shortest paths end, and the angles at which they leave it: in
+// The arc lengths at which shortest paths end on a curve, and the angles at which they leave it: in
 // closed form, and compared with traced paths.
 #include "EngineSupport.h"
 #include "OnThreads.h"
@@ -379,8 +379,7 @@ public:
   }
 
 private:
-  void compareAngle(
-    const Solved& s, const Foot& foot, const SurfacePoint& at, const Direction& path)
+  void compareAngle(Solved& s, const Foot& foot, const SurfacePoint& at, const Direction& path)
   {
     const Id face = geodesic::someFace(s.mesh, at);
     const std::vector<double> angles = this->truth_.anglesOf(foot.curve,
@@ -415,7 +414,7 @@ struct Answer
   double angle = 0.0;
 };
 
-Answer answerFor(const NearestSource& nearest, const Foot& foot)
+Answer answerFor(NearestSource& nearest, const Foot& foot)
 {
   return foot.isKnown() ? Answer{ foot.curve, nearest.arcLengthOf(foot), nearest.angleOf(foot) }
                         : Answer();
@@ -552,7 +551,7 @@ TEST_P(SourceAngles, AreTheSameOnRanks)
         {
           const geodesic::DistanceField field =
             geodesic::solve(rank.part, rank.sources, withAngles(), geodesic::KeepWindows::None);
-          const NearestSource nearest(field, rank.patch, rank.curvesOnPatch);
+          NearestSource nearest(field, rank.patch, rank.curvesOnPatch);
           const std::lock_guard<std::mutex> lock(mutex);
           for (Id vertex = 0; vertex < rank.wholeVertices.size(); ++vertex)
           {

@@ -530,7 +530,7 @@ private:
     return this->fromFirstEdge({ place[0] - distance, place[1] });
   }
 
-  void compare(const Foot& foot, const NearestSource& nearest, const MeshPoint& query)
+  void compare(const Foot& foot, NearestSource& nearest, const MeshPoint& query)
   {
     if (const std::optional<double> expected = this->expectedAt(query))
     {
@@ -552,7 +552,7 @@ private:
       {
         const geodesic::DistanceField field = geodesic::solve(
           rank.part, rank.sources, Solved::withAngles(), geodesic::KeepWindows::None);
-        const NearestSource nearest(field, rank.patch, rank.curvesOnPatch);
+        NearestSource nearest(field, rank.patch, rank.curvesOnPatch);
         const std::lock_guard<std::mutex> lock(mutex);
         for (Id vertex = 0; vertex < rank.wholeVertices.size(); ++vertex)
         {

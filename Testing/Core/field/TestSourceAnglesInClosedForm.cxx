@@ -323,7 +323,7 @@ TEST(SourceAnglesInClosedForm, OfABoundaryAreNotScaled)
   const std::vector<geodesic::SourceCurve> loops = geodesic::boundaryCurves(mesh);
   ASSERT_EQ(loops.size(), 1U);
   const geodesic::DistanceField field = Solved::solve(mesh, loops);
-  const NearestSource nearest(field, geodesic::ReplicatedPatch(mesh), loops);
+  NearestSource nearest(field, geodesic::ReplicatedPatch(mesh), loops);
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
     const double x = mesh.point(vertex)[0];
@@ -497,7 +497,7 @@ TEST(SourceAnglesInClosedForm, AreRefusedWhereTheSolveDidNotKeepThem)
   geodesic::FrontOptions options;
   options.keepArrivals = true;
   const geodesic::DistanceField field = geodesic::solve(mesh, curves, options);
-  const NearestSource nearest(field, geodesic::ReplicatedPatch(mesh), curves);
+  NearestSource nearest(field, geodesic::ReplicatedPatch(mesh), curves);
   EXPECT_EQ(nearest.arcLengthOf(nearest.atVertex(0)), 0.0);
   EXPECT_THROW(nearest.angleOf(nearest.atVertex(0)), geodesic::Error);
 }

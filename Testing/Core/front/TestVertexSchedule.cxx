@@ -27,18 +27,18 @@ using namespace geodesictest;
 namespace
 {
 
-/// A schedule and what waits in it, as its owner knows it: a key and a reach of each vertex.
+/// A schedule and what waits in it, as its owner knows it: a key and a batch width of each vertex.
 class ScheduleAndModel
 {
 public:
-  explicit ScheduleAndModel(std::vector<double> reaches)
-    : mesh_(engineMesh(regularGrid(2, static_cast<Index>(reaches.size()))))
+  explicit ScheduleAndModel(std::vector<double> batchWidths)
+    : mesh_(engineMesh(regularGrid(2, static_cast<Index>(batchWidths.size()))))
     , states_(this->mesh_, false, false, geodesic::Job())
-    , keys_(reaches.size(), Infinity)
+    , keys_(batchWidths.size(), Infinity)
   {
-    for (Id v = 0; v < reaches.size(); ++v)
+    for (Id v = 0; v < batchWidths.size(); ++v)
     {
-      this->states_[v].reach = static_cast<float>(reaches[v]);
+      this->states_[v].batchWidth = static_cast<float>(batchWidths[v]);
     }
   }
 
@@ -69,7 +69,10 @@ public:
     return taken;
   }
 
-  double reach(Id vertex) const { return static_cast<double>(this->states_[vertex].reach); }
+  double batchWidth(Id vertex) const
+  {
+    return static_cast<double>(this->states_[vertex].batchWidth);
+  }
   /// The key with which a vertex was last taken.
   double takenKey(Id vertex) const { return this->takenKeys_.at(vertex); }
   /// Sorted.
@@ -89,8 +92,8 @@ private:
   std::set<std::pair<double, Id>> waiting_;
 };
 
-/// What must hold of any batch: all that is taken waited, up to the end of the shortest reach; what
-/// is left lies behind it; and the least one is in the batch.
+/// What must hold of any batch: all that is taken waited, up to the least sum of key and batch
+/// width; what is left lies behind it; and the least one is in the batch.
 void expectBatch(ScheduleAndModel& schedule, double last)
 {
   const std::set<std::pair<double, Id>> before = schedule.waiting();
@@ -99,22 +102,22 @@ void expectBatch(ScheduleAndModel& schedule, double last)
   double end = last;
   for (const auto& [key, vertex] : before)
   {
-    end = std::min(end, key + schedule.reach(vertex));
+    end = std::min(end, key + schedule.batchWidth(vertex));
   }
   const auto expected = std::count_if(
     before.begin(), before.end(), [end](const auto& waiting) { return waiting.first <= end; });
   const std::vector<Id> taken = schedule.takeBatch(last);
   EXPECT_EQ(taken.size(), static_cast<std::size_t>(expected))
-    << "the reach of what waits far away ends the batch, too";
+    << "the width of what waits far away ends the batch, too";
   EXPECT_EQ(before.size(), schedule.waiting().size() + taken.size()) << "lost, or taken twice";
   double most = 0.0;
   double shortest = last;
   for (const Id vertex : taken)
   {
     most = std::max(most, schedule.takenKey(vertex));
-    shortest = std::min(shortest, schedule.takenKey(vertex) + schedule.reach(vertex));
+    shortest = std::min(shortest, schedule.takenKey(vertex) + schedule.batchWidth(vertex));
   }
-  EXPECT_LE(most, shortest) << "farther than the reach of another in its batch";
+  EXPECT_LE(most, shortest) << "farther than the width of another in its batch";
   EXPECT_GT(schedule.leastWaiting(), most) << "something nearer was left";
   EXPECT_EQ(!taken.empty(), least <= last && least < Infinity) << "the least one is in the batch";
 }
@@ -136,13 +139,13 @@ TEST(VertexSchedule, RandomAdditionsAndBatchesAreThoseOfASortedList)
     Random random(seed);
     const Id count = random.between(1, 300);
     // Edges of one length, of two that differ much, or with some of no length.
-    const double farReach = std::vector<double>{ 1.0, 1e4, 1e-4, 0.0 }[seed % 4];
-    std::vector<double> reaches;
+    const double largeWidth = std::vector<double>{ 1.0, 1e4, 1e-4, 0.0 }[seed % 4];
+    std::vector<double> batchWidths;
     for (Id v = 0; v < count; ++v)
     {
-      reaches.push_back(random.chance(0.3) ? farReach : random.uniform(0.5, 1.5));
+      batchWidths.push_back(random.chance(0.3) ? largeWidth : random.uniform(0.5, 1.5));
     }
-    ScheduleAndModel schedule(reaches);
+    ScheduleAndModel schedule(batchWidths);
     double front = 0.0;
     for (int step = 0; step < 300; ++step)
     {
@@ -167,7 +170,7 @@ TEST(VertexSchedule, RandomAdditionsAndBatchesAreThoseOfASortedList)
   }
 }
 
-TEST(VertexSchedule, ABatchHoldsAllWithinTheShortestReach)
+TEST(VertexSchedule, ABatchHoldsAllWithinEachBatchWidth)
 {
   ScheduleAndModel schedule({ 0.5, 0.25, 0.125, 2.0, 2.0 });
   schedule.add(1.0, 0);
@@ -208,9 +211,9 @@ TEST(VertexSchedule, AVertexBehindTheFrontWaitsForTheNextBatch)
   EXPECT_EQ(schedule.takeBatch(4.5), (std::vector<Id>{ 0, 1 }));
 }
 
-TEST(VertexSchedule, VerticesWithoutReachAreTaken)
+TEST(VertexSchedule, VerticesWithoutBatchWidthAreTaken)
 {
-  // Edges of no length, and keys so large that a reach is rounded away.
+  // Edges of no length, and keys so large that a width is rounded away.
   for (const double key : { 1.0, 1e20 })
   {
     ScheduleAndModel schedule({ 0.0, 0.0, key * 1e-17, 0.0 });
@@ -247,7 +250,8 @@ auto withinAMinute(Run run)
 }
 
 // Every second column lies where the last one does, so that edges across have no length, and from
-// many vertices nothing is within reach but what is equally far. The surface is a flat strip still.
+// many vertices nothing is within the batch width but what is equally far. The surface is a flat
+// strip still.
 TEST(VertexSchedule, TheFrontEndsWhereEdgesHaveNoLength)
 {
   for (std::uint64_t seed = 0; seed < 20; ++seed)

@@ -127,7 +127,7 @@ TEST_P(FacesBetweenPoints, AreFoundByBoundsOfTheWays)
       onRanks(cutInSpace(mesh, ranks, random), { pointAt(source.points[0]), pointAt(to) }, 0,
         [&](const RankOfRun& rank)
         {
-          const geodesic::LowerBounds ways = waysFrom(rank.part, rank.patch,
+          const geodesic::LowerBounds ways = lowerBoundsFrom(rank.part, rank.patch,
             rank.curvesOnPatch[0].points.front(), rank.curvesOnPatch[1].points.front());
           EXPECT_GE(ways.length, truth.queries.front() - slack) << "seed " << seed;
           for (std::size_t i = 0; i < rank.wholeVertices.size(); ++i)

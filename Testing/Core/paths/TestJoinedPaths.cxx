@@ -65,7 +65,7 @@ TEST(RetentionAround, KeepsFewWindowsAndStopsAtTheTarget)
   EXPECT_LE(faces, 3U);
   const double truth =
     bruteForceDistances(mesh, Sources{ { vertexPoint(mesh, 820) }, {} }, { target }).queries[0];
-  EXPECT_LT(truth, retention.reach() * (1.0 + 1e-9));
+  EXPECT_LT(truth, retention.neededDistance() * (1.0 + 1e-9));
   std::size_t unreached = 0;
   for (const double distance : front.vertexDistances)
   {

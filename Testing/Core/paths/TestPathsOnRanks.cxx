@@ -244,13 +244,13 @@ std::vector<FoundPath> pathsInStrips(const CutMesh& cut, const std::vector<Polyl
         {
           atVertex = atVertex <= distance ? atVertex : geodesic::Infinity;
         }
-        geodesic::pathInStrip(rank.part, rank.patch, onPatch, ends, { face, inFace, distance },
-          { atVertices, distance }, {},
-          [&](const geodesic::PathToSource& path)
-          {
-            EXPECT_EQ(face.rank, rank.exchange.rank());
-            paths[i].take(path);
-          });
+        const auto found = geodesic::pathInStrip(
+          rank.part, rank.patch, onPatch, { face, inFace, distance }, { atVertices, distance }, {});
+        EXPECT_EQ(found.has_value(), face.rank == rank.exchange.rank());
+        if (found)
+        {
+          paths[i].take(geodesic::cleanedPath(*found, ends));
+        }
       }
     });
   return paths;

@@ -284,10 +284,11 @@ TEST_P(PathsToSourceOn, InWindowsAreAsLongAsTheBruteForceDistance)
       SCOPED_TRACE("target " + std::to_string(i));
       const geodesic::Id face = geodesic::someFace(c.mesh, c.targets[i]);
       FoundPath path;
-      geodesic::pathInStrip(field.surface(), patch, c.curves, ends,
+      const auto found = geodesic::pathInStrip(field.surface(), patch, c.curves,
         { { 0, face }, geodesic::toFacePoint(c.mesh, face, c.targets[i]), distance },
-        { field.vertexDistances() }, {},
-        [&](const geodesic::PathToSource& found) { path.take(found); });
+        { field.vertexDistances() }, {});
+      ASSERT_TRUE(found && !found->isLost);
+      path.take(geodesic::cleanedPath(*found, ends));
       ASSERT_FALSE(path.points.empty());
       const std::vector<PathPoint> plain = checker.plain(path.points);
       EXPECT_LE(
@@ -357,7 +358,7 @@ TEST_P(PathsToSourceOn, FrontsThatStopEarlyTellTheSameDistancesToTheLastBit)
       EXPECT_EQ(field.distance(c.targets[i]), whole.distance(c.targets[i]));
       for (geodesic::Id v = 0; v < c.mesh.numberOfVertices(); ++v)
       {
-        const bool isWithin = whole.vertexDistances()[v] <= retention.reach();
+        const bool isWithin = whole.vertexDistances()[v] <= retention.neededDistance();
         stopped += isWithin ? 0 : 1;
         if (isWithin)
         {

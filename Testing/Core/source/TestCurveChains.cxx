@@ -58,11 +58,11 @@ TEST(CurveChains, ACurveThatRunsAgainstTheChainKeepsWhereItIsCutAndWhereItBends)
     EXPECT_EQ(p[0], 0.5 * static_cast<double>(i));
     EXPECT_EQ(chain.isCut[i], p[0] == 2.5 ? 1 : 0) << "at " << p[0];
   }
-  EXPECT_FALSE(chains.partOf(chains.curveAt(0, 0.5)).isReversed);
-  EXPECT_TRUE(chains.partOf(chains.curveAt(0, 1.5)).isReversed);
+  EXPECT_FALSE(chains.inChain(chains.curveAt(0, 0.5)).isReversed);
+  EXPECT_TRUE(chains.inChain(chains.curveAt(0, 1.5)).isReversed);
 }
 
-// Windows on both sides of such a segment are told apart by their places.
+// Windows on both sides of such a segment are told apart by their parameters.
 TEST(CurveChains, PlacesIncreaseAcrossASegmentWithoutLength)
 {
   const TriangleMesh mesh =
@@ -77,9 +77,9 @@ TEST(CurveChains, PlacesIncreaseAcrossASegmentWithoutLength)
   curve.faces = { 0, 1, 2 };
   curve.isCut.assign(curve.points.size(), 0);
   const CurveChains chains(mesh, { curve });
-  const std::vector<double>& places = chains.places(0);
-  ASSERT_EQ(places.size(), 4U);
-  EXPECT_GT(places[2], places[1]);
-  EXPECT_NEAR(places[2], 1.0, 1e-15);
-  EXPECT_NEAR(places[3], 2.0, 1e-15);
+  const std::vector<double>& parameters = chains.parameters(0);
+  ASSERT_EQ(parameters.size(), 4U);
+  EXPECT_GT(parameters[2], parameters[1]);
+  EXPECT_NEAR(parameters[2], 1.0, 1e-15);
+  EXPECT_NEAR(parameters[3], 2.0, 1e-15);
 }

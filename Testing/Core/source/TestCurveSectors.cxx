@@ -12,8 +12,8 @@
 using namespace geodesictest;
 using geodesic::CurveSectors;
 using geodesic::Id;
-using geodesic::PlaceOnSide;
 using geodesic::SegmentEnd;
+using geodesic::SideOfCurve;
 using geodesic::SurfacePoint;
 using geodesic::TriangleMesh;
 
@@ -132,7 +132,7 @@ TEST(CurveSectors, OfThreeCurvesAtAVertexEachHasTheDirectionsNearestByAngle)
           isLeft = turn < around.total() - turn;
         }
       }
-      const PlaceOnSide side = sectors.of(around.cornerOf(direction), around.direction(direction));
+      const SideOfCurve side = sectors.of(around.cornerOf(direction), around.direction(direction));
       EXPECT_EQ(side.curve, nearest);
       EXPECT_EQ(side.isRight, !isLeft);
     }

@@ -125,7 +125,7 @@ Problem randomProblem(const PlainMesh& plain, const TriangleMesh& mesh, Random& 
 TEST(PlaceChoice, ASinglePointTakesAVertexBeforeAnEdgeBeforeAFace)
 {
   const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(2, 2));
-  std::vector<Id> components;
+  geodesic::MeshComponents components(mesh);
   const SurfacePoint face = SurfacePoint::inFace(0, 0.25, 0.25);
   const SurfacePoint edge = SurfacePoint::onEdge(0, 0.5);
   const SurfacePoint vertex = SurfacePoint::atVertex(0);
@@ -149,7 +149,7 @@ TEST(PlaceChoice, IsTheBestOfAll)
     const PlainMesh& plain = surfaces[static_cast<std::size_t>(i) % surfaces.size()];
     const TriangleMesh mesh = engineMesh(plain);
     const Problem problem = randomProblem(plain, mesh, random);
-    std::vector<Id> components;
+    geodesic::MeshComponents components(mesh);
     const std::vector<ChosenPlaces> chosen =
       choosePlaces(mesh, problem.places, problem.closed, components,
         [&](std::size_t point, std::size_t from, std::size_t to) {
@@ -175,7 +175,7 @@ TEST(PlaceChoice, OfEquallyGoodPlacesTheFirstAreTaken)
 {
   const PlainMesh sheet = geodesictest::regularGrid(2, 2);
   const TriangleMesh mesh = engineMesh(geodesictest::merged(sheet, sheet));
-  std::vector<Id> components;
+  geodesic::MeshComponents components(mesh);
   const PossiblePlaces both = { SurfacePoint::inFace(0, 0.3, 0.3),
     SurfacePoint::inFace(8, 0.3, 0.3) };
   const PossiblePlaces turned = { both[1], both[0] };
@@ -200,7 +200,7 @@ TEST(PlaceChoice, AClosedPolylineCountsTheDimensionOfItsFirstPlaceOnce)
 {
   const PlainMesh sheet = geodesictest::regularGrid(1, 1);
   const TriangleMesh mesh = engineMesh(geodesictest::merged(sheet, sheet));
-  std::vector<Id> components;
+  geodesic::MeshComponents components(mesh);
   const SurfacePoint inside = SurfacePoint::inFace(2, 0.3, 0.3);
   const std::vector<PossiblePlaces> places = { { SurfacePoint::inFace(0, 0.3, 0.3),
                                                  SurfacePoint::atVertex(mesh.triangle(2)[0]) },
@@ -217,7 +217,7 @@ TEST(PlaceChoice, AClosedPolylineCountsTheDimensionOfItsFirstPlaceOnce)
 TEST(PlaceChoice, LengthsThatDifferByRoundingTie)
 {
   const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(6, 1));
-  std::vector<Id> components;
+  geodesic::MeshComponents components(mesh);
   const PossiblePlaces first = { SurfacePoint::inFace(0, 0.3, 0.3) };
   const PossiblePlaces last = { SurfacePoint::inFace(11, 0.3, 0.3),
     SurfacePoint::atVertex(mesh.triangle(11)[1]) };
@@ -238,7 +238,7 @@ TEST(PlaceChoice, LengthsAreAskedForOnlyOnWaysWithTheFewestBreaks)
 {
   const PlainMesh sheet = geodesictest::regularGrid(6, 1);
   const TriangleMesh mesh = engineMesh(geodesictest::merged(sheet, sheet));
-  std::vector<Id> components;
+  geodesic::MeshComponents components(mesh);
   std::vector<std::array<std::size_t, 3>> asked;
   const auto length = [&asked](std::size_t point, std::size_t from, std::size_t to)
   {

@@ -137,13 +137,14 @@ TEST(Window, ReversedItsRaysStartAtTheSamePlaceOfTheSameSideAndAtTheSameAngle)
     const double start = random.uniform(0.0, 3.0);
     w.origin = w.isLinear() ? RayOrigin::curveSide(number, isRight)
                             : RayOrigin::pointSide(number, isRight, random.chance(0.5));
-    w.start = w.isLinear() ? RayStart::atPlace(start) : RayStart::atAngle(start);
+    w.start = w.isLinear() ? RayStart::atParameter(start) : RayStart::atAngle(start);
     const Window r = reversed(w, length);
     EXPECT_EQ(r.origin, w.origin.mirrored());
     const double x = w.begin + 0.3 * (w.end - w.begin);
     if (w.isLinear())
     {
-      EXPECT_NEAR(r.startOf({ length - x, 0.0 }).place(), w.startOf({ x, 0.0 }).place(), 1e-14);
+      EXPECT_NEAR(
+        r.startOf({ length - x, 0.0 }).parameter(), w.startOf({ x, 0.0 }).parameter(), 1e-14);
     }
     else
     {
