@@ -169,23 +169,38 @@ private:
   // Puts an entry at a place, or lower if a key below is less.
   void sink(std::size_t place, const Entry& entry)
   {
-    for (std::size_t first = firstChildOf(place); first < this->heap_.size();
-         first = firstChildOf(place))
+    const Entry* const heap = this->heap_.data();
+    const std::size_t size = this->heap_.size();
+    for (std::size_t first = firstChildOf(place); first < size; first = firstChildOf(place))
     {
-      const std::size_t end = std::min(first + Children, this->heap_.size());
-      std::size_t least = first;
-      for (std::size_t i = first + 1; i < end; ++i)
-      {
-        least = this->heap_[i].key < this->heap_[least].key ? i : least;
-      }
-      if (!(this->heap_[least].key < entry.key))
+      const std::size_t least =
+        first + Children <= size ? leastOfAll(heap, first) : leastOf(heap, first, size);
+      if (!(heap[least].key < entry.key))
       {
         break;
       }
-      this->put(place, this->heap_[least]);
+      this->put(place, heap[least]);
       place = least;
     }
     this->put(place, entry);
+  }
+
+  // The first of the entries with the least key.
+  static std::size_t leastOf(const Entry* heap, std::size_t first, std::size_t end)
+  {
+    std::size_t least = first;
+    for (std::size_t i = first + 1; i < end; ++i)
+    {
+      least = heap[i].key < heap[least].key ? i : least;
+    }
+    return least;
+  }
+  // The same of all children.
+  static std::size_t leastOfAll(const Entry* heap, std::size_t first)
+  {
+    const std::size_t a = heap[first + 1].key < heap[first].key ? first + 1 : first;
+    const std::size_t b = heap[first + 3].key < heap[first + 2].key ? first + 3 : first + 2;
+    return heap[b].key < heap[a].key ? b : a;
   }
 
   VertexStates& states_;

@@ -29,8 +29,8 @@ inline bool isSameSource(const Window& a, const Window& b)
   // Different sources, or different places of one curve, may unfold to the same point of the plane.
   const double source = std::abs(a.sourceX) + a.sourceDepth;
   const double length = a.isLinear() ? b.end : source;
-  return std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source && a.kind == b.kind &&
-    a.origin == b.origin &&
+  return a.origin == b.origin && a.kind == b.kind &&
+    std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source &&
     (!a.isLinear() ||
       std::abs(a.start.place() - b.start.place()) <=
         tolerance::SameSource * (std::abs(a.start.place()) + length)) &&
