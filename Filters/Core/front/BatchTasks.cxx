@@ -2,6 +2,7 @@
 #include "front/BatchTasks.h"
 
 #include "Tolerance.h"
+#include "front/RareLists.h"
 #include "source/SourceWindows.h"
 #include "window/WindowMerge.h"
 
@@ -21,16 +22,6 @@ DistanceUpdate arrivalThrough(
   const double x = w.crossing(apex);
   return { mesh.opposite(halfedge), path.distance, w.error,
     { halfedge, w.origin, x, w.directionTo(apex, x), w.startOf({ x, 0.0 }) } };
-}
-
-double leastDistance(const WindowRange& windows)
-{
-  double least = Infinity;
-  for (const Window& w : windows)
-  {
-    least = std::min(least, w.minimum());
-  }
-  return least;
 }
 
 /// Works on items one after another, while the memory of the next ones is prefetched.
@@ -60,44 +51,12 @@ std::size_t workAhead(
   return count;
 }
 
-bool isInThinFace(const BatchTasks& tasks, Id halfedge)
-{
-  return tasks.mesh.shape(TriangleMesh::faceOf(halfedge)).isThin();
-}
-
-// What comes from now on is no shorter than the key. Where paths by way of the apex are as short
-// everywhere on the halfedge, nothing can gain there. The apex is the district's own; another
-// district may be shortening the distances of the halfedge's ends.
-bool isNeededOn(const BatchTasks& tasks, const District& district, Id halfedge)
-{
-  const double toFartherEnd = std::max(tasks.mesh.length(TriangleMesh::nextInFace(halfedge)),
-    tasks.mesh.length(TriangleMesh::previousInFace(halfedge)));
-  return district.schedule.key() <=
-    tasks.vertices.distance(tasks.mesh.opposite(halfedge)) + toFartherEnd;
-}
-
 /// Whether the known distance shows that no path in the corridor passes the vertex.
 bool isOutsideCorridor(const BatchTasks& tasks, Id vertex)
 {
   const Corridor* corridor = tasks.options.corridor;
   return corridor != nullptr &&
     tasks.vertices.distance(vertex) + corridor->lowerBounds[vertex] > tasks.longestPath;
-}
-
-// A point of an edge is at least as far from the target as each end is, less its distance to that
-// end. The mean of these two bounds is the same for all points of the edge.
-bool isOutsideCorridor(const BatchTasks& tasks, Id halfedge, const WindowRange& windows)
-{
-  const Corridor* corridor = tasks.options.corridor;
-  if (corridor == nullptr)
-  {
-    return false;
-  }
-  const double atOrigin = corridor->lowerBounds[tasks.mesh.origin(halfedge)];
-  const double atDestination = corridor->lowerBounds[tasks.mesh.destination(halfedge)];
-  const double left = 0.5 * (atOrigin + atDestination - tasks.mesh.length(halfedge));
-  return std::none_of(windows.begin(), windows.end(),
-    [&](const Window& w) { return w.minimum() + left <= tasks.longestPath; });
 }
 
 // No mail is read before step (2), so an update may go to any district.
@@ -121,25 +80,32 @@ void relaxEdges(BatchTasks& tasks, District& district, Id vertex)
   const double distance = tasks.vertices.distance(vertex);
   const double error = tasks.vertices.error(vertex);
   const RayOrigin origin = RayOrigin::vertex(tasks.surface.globalId(vertex));
-  const auto relax = [&](Id halfedge, Id other, Id opposite, double x)
-  {
-    const double along = distance + tasks.mesh.length(halfedge);
-    if (tasks.vertices.isImprovedBy(other, along))
-    {
-      sendUpdate(tasks, district, { other, along, error, { opposite, origin, x, {} } });
-    }
+  const auto isImproved = [&](Id other, double length)
+  { return tasks.vertices.isImprovedBy(other, distance + length); };
+  const auto relax = [&](Id other, double length, Id opposite, double x) {
+    sendUpdate(tasks, district, { other, distance + length, error, { opposite, origin, x, {} } });
   };
   for (const Id corner : tasks.mesh.cornersAt(vertex))
   {
-    if (!tasks.surface.isOwn(TriangleMesh::faceOf(corner)))
+    const Id face = TriangleMesh::faceOf(corner);
+    if (!tasks.surface.isOwn(face))
     {
       continue;
     }
-    const Id before = TriangleMesh::previousInFace(corner);
-    relax(corner, tasks.mesh.destination(corner), before, tasks.mesh.length(before));
-    if (!isOutgoingBeyond(tasks, before, vertex))
+    const Triangle& corners = tasks.mesh.triangle(face);
+    const std::array<double, 3>& lengths = tasks.mesh.shape(face).length;
+    const Id next = TriangleMesh::nextIndex(corner);
+    const Id previous = TriangleMesh::previousIndex(corner);
+    const double length = lengths[TriangleMesh::indexInFace(corner)];
+    const Id before = TriangleMesh::halfedgeOf(face, previous);
+    if (isImproved(corners[next], length))
     {
-      relax(before, tasks.mesh.origin(before), corner, 0.0);
+      relax(corners[next], length, before, lengths[previous]);
+    }
+    if (isImproved(corners[previous], lengths[previous]) &&
+      !isOutgoingBeyond(tasks, before, vertex))
+    {
+      relax(corners[previous], lengths[previous], corner, 0.0);
     }
   }
 }
@@ -217,23 +183,6 @@ void mergeNeighboursOf(
   }
 }
 
-// Where windows come to a vertex again and again, they are beaten by others that came before. A
-// list in a thin face passes at its nearest window's distance, and others may come later.
-void remember(const BatchTasks& tasks, FrontWorker& worker, District& district, Id halfedge,
-  const WindowRange& passed)
-{
-  const VertexState& apex = tasks.vertices[tasks.mesh.opposite(halfedge)];
-  const bool isAgain =
-    apex.timesProcessed >= VertexState::UsualTimes || isInThinFace(tasks, halfedge);
-  if (isAgain && isNeededOn(tasks, district, halfedge))
-  {
-    const auto isNeeded = [&](Id other) { return isNeededOn(tasks, district, other); };
-    worker.handled += passed.size();
-    district.passed.add(
-      halfedge, tasks.mesh.length(halfedge), passed, worker.merged, worker.pool, isNeeded);
-  }
-}
-
 // Returns whether the vertex is done. If the worker has to pause, the remaining lists stay with the
 // vertex.
 bool processVertex(BatchTasks& tasks, FrontWorker& worker, District& district, Id vertex, Id batch)
@@ -277,25 +226,6 @@ bool processVertex(BatchTasks& tasks, FrontWorker& worker, District& district, I
   return isDone;
 }
 
-// A list that comes once more is cut by what has passed its halfedge before.
-void cutByPassed(
-  const BatchTasks& tasks, FrontWorker& worker, const District& district, SentList& sent)
-{
-  const WindowRange passed = district.passed.at(sent.halfedge);
-  if (passed.size() == 0 || !isNeededOn(tasks, district, sent.halfedge))
-  {
-    return;
-  }
-  worker.merged.reset(tasks.mesh.length(sent.halfedge));
-  for (const Window& window : sent.windows.range())
-  {
-    worker.merged.appendWhereLower(window, passed);
-  }
-  worker.handled += passed.size() + sent.windows.size;
-  worker.pool.free(sent.windows);
-  sent.windows = worker.pool.copyOf(worker.merged.range());
-}
-
 void mergeInto(const BatchTasks& tasks, FrontWorker& worker, District& district, Id list,
   const WindowBlock& block)
 {
@@ -314,14 +244,15 @@ void mergeInto(const BatchTasks& tasks, FrontWorker& worker, District& district,
 void receiveList(BatchTasks& tasks, FrontWorker& worker, District& district, SentList sent)
 {
   const Id apex = tasks.mesh.opposite(sent.halfedge);
-  if (tasks.vertices[apex].isBusy())
+  VertexState& state = tasks.vertices[apex];
+  if (state.isBusy())
   {
     cutByPassed(tasks, worker, district, sent);
-  }
-  if (sent.windows.size == 0)
-  {
-    worker.pool.free(sent.windows);
-    return;
+    if (sent.windows.size == 0)
+    {
+      worker.pool.free(sent.windows);
+      return;
+    }
   }
   const Vec2 apexAt = apexOf(tasks.mesh, sent.halfedge);
   const ApexDistance found = quickApexQuery(sent.windows.range(), apexAt);
@@ -333,8 +264,8 @@ void receiveList(BatchTasks& tasks, FrontWorker& worker, District& district, Sen
   }
   worker.propagated += sent.windows.size;
   worker.handled += sent.windows.size;
-  const bool isThin = tasks.vertices[apex].hasThinFaces && isInThinFace(tasks, sent.halfedge);
-  double due = isThin ? leastDistance(sent.windows.range()) : tasks.vertices.distance(apex);
+  const bool isThin = state.hasThinFaces && isInThinFace(tasks, sent.halfedge);
+  double due = isThin ? leastDistance(sent.windows.range()) : state.distance;
   Id list = district.lists.find(sent.halfedge);
   if (list != NoId)
   {
@@ -342,10 +273,8 @@ void receiveList(BatchTasks& tasks, FrontWorker& worker, District& district, Sen
   }
   else
   {
-    Id& facing = tasks.vertices[apex].facing;
-    list = district.lists.add(sent.halfedge, sent.windows);
-    district.lists[list].next = facing;
-    facing = list;
+    list = district.lists.add(sent.halfedge, sent.windows, state.facing);
+    state.facing = list;
   }
   if (isThin)
   {
@@ -415,28 +344,28 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
   const ApexQuery apex = fullApexQuery(list, face.apex, worker.apexSides);
   const Window& first = *list.begin();
   const Window& last = *(list.end() - 1);
-  // Bounds along the halfedge; no shortest path reaches a corner that way.
-  const DistanceUpdate atEnds[] = { { this->mesh.origin(halfedge),
-                                      first.distance(first.begin) + first.begin, first.error, {} },
-    { this->mesh.destination(halfedge), last.distance(last.end) + (face.length - last.end),
-      last.error, {} } };
-  for (const DistanceUpdate& update : atEnds)
-  {
-    if (this->vertices.isImprovedBy(update.vertex, update.distance, false))
-    {
-      sendUpdate(*this, district, update);
-    }
-  }
+  const Id origin = this->mesh.origin(halfedge);
+  const Id destination = this->mesh.destination(halfedge);
   const Id opposite = this->mesh.opposite(halfedge);
   const double toApex = apex.shortest.distance;
+  const CornerDistances found = { first.distance(first.begin) + first.begin,
+    last.distance(last.end) + (face.length - last.end), toApex };
+  // Bounds along the halfedge; no shortest path reaches a corner that way.
+  if (this->vertices.isImprovedBy(origin, found.origin, false))
+  {
+    sendUpdate(*this, district, { origin, found.origin, first.error, {} });
+  }
+  if (this->vertices.isImprovedBy(destination, found.destination, false))
+  {
+    sendUpdate(*this, district, { destination, found.destination, last.error, {} });
+  }
   if (apex.shortest.nearest != nullptr && this->vertices.isImprovedBy(opposite, toApex))
   {
     sendUpdate(*this, district, arrivalThrough(this->mesh, halfedge, face.apex, apex.shortest));
   }
-  const auto known = [this](Id vertex, double found)
-  { return std::min(this->vertices.distance(vertex), found); };
-  const CornerDistances corners = { known(atEnds[0].vertex, atEnds[0].distance),
-    known(atEnds[1].vertex, atEnds[1].distance), known(opposite, toApex) };
+  const CornerDistances corners = { std::min(this->vertices.distance(origin), found.origin),
+    std::min(this->vertices.distance(destination), found.destination),
+    std::min(this->vertices.distance(opposite), toApex) };
 
   const Id left = TriangleMesh::previousInFace(halfedge);
   const Id right = TriangleMesh::nextInFace(halfedge);
@@ -445,8 +374,14 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
     worker.leaving);
   this->retire(
     worker, district, { halfedge, block, { corners.origin, corners.destination } }, batch);
-  this->send(worker, district, left, worker.leaving.left.range());
-  this->send(worker, district, right, worker.leaving.right.range());
+  if (!worker.leaving.left.windows().empty())
+  {
+    this->send(worker, district, left, worker.leaving.left.range());
+  }
+  if (!worker.leaving.right.windows().empty())
+  {
+    this->send(worker, district, right, worker.leaving.right.range());
+  }
 }
 
 void BatchTasks::receiveUpdates(District& district)
@@ -499,23 +434,20 @@ void BatchTasks::shorten(District& district, const DistanceUpdate& update)
   }
 }
 
-void BatchTasks::send(
-  FrontWorker& worker, District& sender, Id halfedge, const WindowRange& windows)
+void BatchTasks::send(FrontWorker& worker, District& sender, Id halfedge, WindowRange windows)
 {
-  if (windows.size() == 0 || isOutsideCorridor(*this, halfedge, windows))
+  if (this->options.corridor != nullptr && isOutsideCorridor(*this, halfedge, windows))
   {
     return;
   }
+  const Id destination = this->mesh.destination(halfedge);
   for (Id s = this->mesh.nextSibling(halfedge); s != halfedge; s = this->mesh.nextSibling(s))
   {
-    const WindowBlock block = worker.pool.copyOf(windows);
     worker.handled += windows.size();
-    if (this->mesh.origin(s) != this->mesh.destination(halfedge))
+    const WindowBlock block = worker.pool.copyOf(windows);
+    if (this->mesh.origin(s) != destination)
     {
-      const double length = this->mesh.length(halfedge);
-      std::reverse(block.data, block.data + block.size);
-      std::transform(block.data, block.data + block.size, block.data,
-        [length](const Window& w) { return reversed(w, length); });
+      reverse(block, this->mesh.length(halfedge));
     }
     std::vector<SentList>& lists = this->surface.isOwn(TriangleMesh::faceOf(s))
       ? this->mailboxes.to(sender.number, this->districts.of(this->mesh.opposite(s))).lists

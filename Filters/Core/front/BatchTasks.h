@@ -70,8 +70,8 @@ struct BatchTasks
 
   /// Accepts a path if it is shorter than the known one.
   void shorten(District& district, const DistanceUpdate& update);
-  /// Sends windows that leave a face through a halfedge to its siblings.
-  void send(FrontWorker& worker, District& sender, Id halfedge, const WindowRange& windows);
+  /// Sends windows, at least one, that leave a face through a halfedge to its siblings.
+  void send(FrontWorker& worker, District& sender, Id halfedge, WindowRange windows);
   /// Hands a list that was removed from its halfedge to the retention.
   void retire(FrontWorker& worker, District& district, const PassedList& list, Id batch) const;
 

@@ -60,15 +60,9 @@ Vec2 rotated(Vec2 v, Vec2 by)
   return { v.x * by.x - v.y * by.y, v.x * by.y + v.y * by.x };
 }
 
-Vec2 rotationOf(const TriangleMesh& mesh, Id corner)
+// Behind an edge, whose other halfedge is given.
+Stop behind(const TriangleMesh& mesh, Id vertex, Id other)
 {
-  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(corner));
-  return unit({ shape.cornerDot[TriangleMesh::indexInFace(corner)], shape.area2 });
-}
-
-Stop across(const TriangleMesh& mesh, Id vertex, Id edge)
-{
-  const Id other = mesh.nextSibling(edge);
   return mesh.origin(other) == vertex ? Stop{ other, true }
                                       : Stop{ TriangleMesh::nextInFace(other), false };
 }
@@ -92,34 +86,30 @@ double meet(const TriangleMesh& mesh, const Stop& stop, Vec2 direction)
 // first edge.
 Continuation continueAcross(const TriangleMesh& mesh, Id vertex, Id edge, Vec2 angle)
 {
-  Continuation result;
+  using Found = Continuation::Found;
   for (std::size_t left = mesh.cornersAt(vertex).size(); left > 0; --left)
   {
-    if (mesh.isBoundary(edge))
+    const Id other = mesh.nextSibling(edge);
+    if (other == edge)
     {
-      result.found = Continuation::Found::No;
-      return result;
+      return { Found::No, {}, 0.0 };
     }
-    if (!mesh.isInner(edge))
+    const Stop stop = behind(mesh, vertex, other);
+    const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(stop.corner));
+    if (mesh.nextSibling(other) != edge || !(shape.area2 > 0.0))
     {
-      return result;
+      return {};
     }
-    result.stop = across(mesh, vertex, edge);
-    if (!(mesh.shape(TriangleMesh::faceOf(result.stop.corner)).area2 > 0.0))
-    {
-      return result;
-    }
-    const Vec2 next = rotated(angle, rotationOf(mesh, result.stop.corner));
+    const double dot = shape.cornerDot[TriangleMesh::indexInFace(stop.corner)];
+    const Vec2 next = rotated(angle, unit({ dot, shape.area2 }));
     if (next.y < 0.0 || (next.y == 0.0 && next.x < 0.0))
     {
-      result.found = Continuation::Found::Yes;
-      result.x = meet(mesh, result.stop, { -angle.x, angle.y });
-      return result;
+      return { Found::Yes, stop, meet(mesh, stop, { -angle.x, angle.y }) };
     }
-    angle = { next.x, next.y };
-    edge = result.stop.leavingEdge();
+    angle = next;
+    edge = stop.leavingEdge();
   }
-  return result;
+  return {};
 }
 
 // Adds the shadow behind a continuation, up to the other one or to the boundary. Returns whether it
@@ -146,7 +136,7 @@ bool addShadow(const TriangleMesh& mesh, Id vertex, const Continuation& from,
     {
       break;
     }
-    stop = across(mesh, vertex, edge);
+    stop = behind(mesh, vertex, mesh.nextSibling(edge));
     part = { stop.corner, 0.0, length(stop.corner) };
   }
   return false;

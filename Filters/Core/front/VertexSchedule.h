@@ -172,23 +172,38 @@ private:
   // Puts a vertex into a slot, or lower if a key below is less.
   void sink(std::size_t slot, const WaitingVertex& waiting)
   {
-    for (std::size_t first = firstChildOf(slot); first < this->heap_.size();
-         first = firstChildOf(slot))
+    const WaitingVertex* const heap = this->heap_.data();
+    const std::size_t size = this->heap_.size();
+    for (std::size_t first = firstChildOf(slot); first < size; first = firstChildOf(slot))
     {
-      const std::size_t end = std::min(first + Children, this->heap_.size());
-      std::size_t least = first;
-      for (std::size_t i = first + 1; i < end; ++i)
-      {
-        least = this->heap_[i].key < this->heap_[least].key ? i : least;
-      }
-      if (!(this->heap_[least].key < waiting.key))
+      const std::size_t least =
+        first + Children <= size ? leastOfAll(heap, first) : leastOf(heap, first, size);
+      if (!(heap[least].key < waiting.key))
       {
         break;
       }
-      this->put(slot, this->heap_[least]);
+      this->put(slot, heap[least]);
       slot = least;
     }
     this->put(slot, waiting);
+  }
+
+  // The first of the vertices with the least key.
+  static std::size_t leastOf(const WaitingVertex* heap, std::size_t first, std::size_t end)
+  {
+    std::size_t least = first;
+    for (std::size_t i = first + 1; i < end; ++i)
+    {
+      least = heap[i].key < heap[least].key ? i : least;
+    }
+    return least;
+  }
+  // The same of all children.
+  static std::size_t leastOfAll(const WaitingVertex* heap, std::size_t first)
+  {
+    const std::size_t a = heap[first + 1].key < heap[first].key ? first + 1 : first;
+    const std::size_t b = heap[first + 3].key < heap[first + 2].key ? first + 3 : first + 2;
+    return heap[b].key < heap[a].key ? b : a;
   }
 
   VertexStates& states_;

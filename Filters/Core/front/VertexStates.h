@@ -121,6 +121,10 @@ public:
     const double distance = std::max(update.distance, 0.0);
     VertexState& state = this->states_[update.vertex];
     const bool isShorter = distance < state.distance;
+    if (!isShorter && this->arrivals_.empty())
+    {
+      return false;
+    }
     const bool isTie = distance >= state.distance * (1.0 - tolerance::Tie) ||
       (isShorter && this->isBoundOnly(update));
     if (!this->arrivals_.empty() &&

@@ -43,8 +43,9 @@ public:
     return this->table_[slot];
   }
 
-  /// Adds a list to a halfedge that has none. \returns the list's number.
-  Id add(Id halfedge, const WindowBlock& block)
+  /// Adds a list to a halfedge that has none, in front of another list of the caller's chain.
+  /// \returns the list's number.
+  Id add(Id halfedge, const WindowBlock& block, Id next = NoId)
   {
     if (2 * (this->count_ + 1) > this->table_.size())
     {
@@ -57,7 +58,7 @@ public:
     }
     const Id list = this->unused_;
     this->unused_ = this->lists_[list].next;
-    this->lists_[list] = { block, halfedge };
+    this->lists_[list] = { block, halfedge, next };
     this->enter(list);
     ++this->count_;
     return list;
@@ -94,7 +95,7 @@ public:
   const List& operator[](Id list) const { return this->lists_[list]; }
   List& operator[](Id list) { return this->lists_[list]; }
   /// Replaces the list by a copy of other windows.
-  void assign(Id list, const WindowRange& windows, WindowPool& pool)
+  void assign(Id list, WindowRange windows, WindowPool& pool)
   {
     WindowBlock& block = this->lists_[list].windows;
     if (windows.size() <= (std::size_t(1) << block.sizeClass))
@@ -126,7 +127,7 @@ private:
   std::size_t homeOf(Id halfedge) const
   {
     constexpr std::uint64_t golden = 0x9e3779b97f4a7c15U; // Fibonacci hashing (Knuth, 6.4)
-    return (halfedge * golden) >> (64 - this->bits_);
+    return (halfedge * golden) >> this->shift_;
   }
 
   void enter(Id list)
@@ -141,9 +142,8 @@ private:
 
   void grow()
   {
-    constexpr unsigned leastBits = 5;
-    this->bits_ = std::max(leastBits, this->bits_ + 1);
-    std::vector<Id> old(std::size_t(1) << this->bits_, NoId);
+    --this->shift_;
+    std::vector<Id> old(std::size_t(1) << (64 - this->shift_), NoId);
     old.swap(this->table_);
     for (const Id list : old)
     {
@@ -158,9 +158,10 @@ private:
   /// Removed lists, chained.
   Id unused_ = NoId;
   /// The numbers of the lists, hashed by halfedge with linear probing. At most half full; the size
-  /// is a power of two.
+  /// is a power of two: the hash's bits from this one on are a place. The first table has 32
+  /// places.
   std::vector<Id> table_;
-  unsigned bits_ = 0;
+  unsigned shift_ = 60;
   std::size_t count_ = 0;
 };
 

@@ -52,14 +52,6 @@ Barycentric fromHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, Vec2 point)
   return weights;
 }
 
-Vec2 apexOf(const TriangleMesh& mesh, Id halfedge)
-{
-  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
-  const std::size_t k = TriangleMesh::indexInFace(halfedge);
-  const double length = shape.length[k];
-  return { shape.cornerDot[k] / length, shape.area2 / length };
-}
-
 // Rotates by the cosine and the sine of the angle between the two halfedges.
 Vec2 turned(const TriangleMesh& mesh, Vec2 direction, Id fromHalfedge, Id toHalfedge)
 {

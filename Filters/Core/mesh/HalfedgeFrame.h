@@ -44,7 +44,13 @@ Vec2 wayInFrame(
 Barycentric fromHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, Vec2 point);
 
 /// The apex in that frame: the vertex opposite the halfedge, whose length must not be 0.
-Vec2 apexOf(const TriangleMesh& mesh, Id halfedge);
+inline Vec2 apexOf(const TriangleMesh& mesh, Id halfedge)
+{
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
+  const std::size_t k = TriangleMesh::indexInFace(halfedge);
+  const double length = shape.length[k];
+  return { shape.cornerDot[k] / length, shape.area2 / length };
+}
 
 /// A direction in the frame of another halfedge of the same face.
 Vec2 turned(const TriangleMesh& mesh, Vec2 direction, Id fromHalfedge, Id toHalfedge);

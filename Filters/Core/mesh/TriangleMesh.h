@@ -96,6 +96,17 @@ public:
   {
     return indexInFace(halfedge) == 0 ? halfedge + 2 : halfedge - 1;
   }
+  /// Their indices in the face.
+  static Id nextIndex(Id halfedge)
+  {
+    const Id k = indexInFace(halfedge);
+    return k == 2 ? 0 : k + 1;
+  }
+  static Id previousIndex(Id halfedge)
+  {
+    const Id k = indexInFace(halfedge);
+    return k == 0 ? 2 : k - 1;
+  }
 
   /// The next halfedge of the same edge; the halfedge itself on a boundary edge.
   Id nextSibling(Id halfedge) const
@@ -113,9 +124,15 @@ public:
   {
     return this->faces_[faceOf(halfedge)].corners[indexInFace(halfedge)];
   }
-  Id destination(Id halfedge) const { return this->origin(nextInFace(halfedge)); }
+  Id destination(Id halfedge) const
+  {
+    return this->faces_[faceOf(halfedge)].corners[nextIndex(halfedge)];
+  }
   /// The vertex opposite the halfedge in its face.
-  Id opposite(Id halfedge) const { return this->origin(previousInFace(halfedge)); }
+  Id opposite(Id halfedge) const
+  {
+    return this->faces_[faceOf(halfedge)].corners[previousIndex(halfedge)];
+  }
   double length(Id halfedge) const
   {
     return this->faces_[faceOf(halfedge)].shape.length[indexInFace(halfedge)];

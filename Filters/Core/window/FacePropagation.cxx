@@ -25,8 +25,9 @@ struct ExitEdge
   TwoDoubles known;
   /// The edge's length and 0.
   TwoDoubles far;
-  /// The angle from the halfedge to the edge.
+  /// The angle from the halfedge to the edge, and whether windows carry angles.
   double turn;
+  bool hasTurn = this->turn != 0.0;
 };
 
 ExitEdge leftEdge(const UnfoldedFace& face, const CornerDistances& distances)
@@ -97,6 +98,8 @@ void leaveLinear(const ExitEdge& exit, const Window& w, TwoDoubles ends, WindowL
   }
 }
 
+// Sends a window through an edge, on the interval there between the ends.
+template <bool IsLeft>
 inline void leaveThrough(
   const ExitEdge& exit, const Window& w, TwoDoubles ends, WindowListBuilder& list)
 {
@@ -110,7 +113,7 @@ inline void leaveThrough(
     return;
   }
   // moved(), but only what changes, written directly into the list
-  const Vec2 origin = exit.isLeft ? Vec2{ 0.0, 0.0 } : Vec2(exit.face.apex);
+  const Vec2 origin = IsLeft ? Vec2{ 0.0, 0.0 } : Vec2(exit.face.apex);
   const TwoDoubles unfolded = TwoDoubles(w.sourceX - origin.x) * exit.ofX +
     TwoDoubles(w.sourceDepth + origin.y) * exit.ofDepth;
   const TwoDoubles source = TwoDoubles::raisedTo(TwoDoubles(-Infinity, 0.0), unfolded);
@@ -121,8 +124,8 @@ inline void leaveThrough(
     child.end = ends.second();
     child.sourceX = source.first();
     child.sourceDepth = source.second();
-    child.facesCrossed = (w.facesCrossed + 1) & MaximumFacesCrossed;
-    if (exit.turn != 0.0) // angles are asked for
+    ++child.facesCrossed; // is below its maximum
+    if (exit.hasTurn)
     {
       child.start = RayStart::atAngle(w.start.angle() + w.origin.aroundPoint(exit.turn));
     }
@@ -130,10 +133,41 @@ inline void leaveThrough(
   }
 }
 
+// Sends those windows of a queried list through one edge that continue there. Among the windows
+// whose pencils contain the apex, only the one that reaches it first continues through both edges.
+// Rays of the others that would cross that window's ray to the apex are beaten there (Qin et al.
+// 2016).
+template <bool IsLeft>
+void leaveThroughEdge(
+  const ApexQuery& apex, const ExitEdge& exit, Id maximumFacesCrossed, WindowListBuilder& list)
+{
+  const std::size_t end = IsLeft ? apex.leftEnd : apex.list.size();
+  for (std::size_t i = IsLeft ? 0 : apex.rightBegin; i < end; ++i)
+  {
+    const Window& w = apex.list.first[i];
+    const ApexSide side = apex.sides[i];
+    if (!(w.sourceDepth > 0.0) || w.facesCrossed >= maximumFacesCrossed)
+    {
+      continue; // rays along the edge, covered by its vertices; or no shortest path
+    }
+    const TwoDoubles ends = IsLeft ? endsOnLeft(exit, w) : endsOnRight(exit, w);
+    if (side == (IsLeft ? ApexSide::Left : ApexSide::Right))
+    {
+      leaveThrough<IsLeft>(exit, w, ends, list);
+    }
+    else if (side == ApexSide::Both && (IsLeft ? i <= apex.first : i >= apex.first))
+    {
+      leaveThrough<IsLeft>(exit, w,
+        IsLeft ? TwoDoubles(ends.first(), exit.length.first()) : TwoDoubles(0.0, ends.second()),
+        list);
+    }
+  }
+}
+
 } // anonymous namespace
 
 ApexQuery fullApexQuery(
-  const WindowRange& list, const PointOverHalfedge& apex, std::vector<ApexSide>& sides)
+  WindowRange list, const PointOverHalfedge& apex, std::vector<ApexSide>& sides)
 {
   if (sides.size() < list.size())
   {
@@ -142,6 +176,7 @@ ApexQuery fullApexQuery(
   ApexQuery query;
   query.list = list;
   query.sides = sides.data();
+  query.rightBegin = list.size();
   const auto consider = [&query](double distance, const Window& w)
   {
     if (distance < query.shortest.distance)
@@ -158,6 +193,8 @@ ApexQuery fullApexQuery(
       : w.passesRightOf(w.end, apex)                     ? ApexSide::Both
                                                          : ApexSide::Left;
     sides[i] = side;
+    query.leftEnd = side == ApexSide::Right ? query.leftEnd : i + 1;
+    query.rightBegin = side == ApexSide::Left ? query.rightBegin : std::min(query.rightBegin, i);
     if (side == ApexSide::Both)
     {
       const double distance = w.straightDistance(apex);
@@ -188,7 +225,7 @@ ApexQuery fullApexQuery(
 }
 
 // A binary search finds the first window that passes on the right.
-ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex)
+ApexDistance quickApexQuery(WindowRange list, Vec2 apex)
 {
   ApexDistance shortest;
   const auto consider = [&](const Window& w)
@@ -226,40 +263,18 @@ ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex)
   return shortest;
 }
 
-// Among the windows whose pencils contain the apex, only the one that reaches it first continues
-// through both edges. Rays of the others that would cross that window's ray to the apex are beaten
-// there (Qin et al. 2016).
 void propagateThroughFace(const ApexQuery& apex, const UnfoldedFace& face,
   const CornerDistances& distances, OpenEdges open, Id maximumFacesCrossed, LeavingWindows& leaving)
 {
-  const ExitEdge left = leftEdge(face, distances);
-  const ExitEdge right = rightEdge(face, distances);
   leaving.left.reset(face.leftLength);
   leaving.right.reset(face.rightLength);
-  const WindowRange list = apex.list;
-  const ApexSide* const sides = apex.sides;
-  const std::size_t first = apex.first;
-  const std::size_t size = list.size();
-  for (std::size_t i = 0; i < size; ++i)
+  if (open.left && apex.leftEnd > 0)
   {
-    const Window& w = list.first[i];
-    if (!(w.sourceDepth > 0.0) || w.facesCrossed >= maximumFacesCrossed)
-    {
-      continue; // rays along the edge, covered by its vertices; or no shortest path
-    }
-    const ApexSide side = sides[i];
-    if (open.left && (side == ApexSide::Left || (side == ApexSide::Both && i <= first)))
-    {
-      const TwoDoubles ends = endsOnLeft(left, w);
-      leaveThrough(left, w,
-        side == ApexSide::Left ? ends : TwoDoubles(ends.first(), face.leftLength), leaving.left);
-    }
-    if (open.right && (side == ApexSide::Right || (side == ApexSide::Both && i >= first)))
-    {
-      const TwoDoubles ends = endsOnRight(right, w);
-      leaveThrough(
-        right, w, side == ApexSide::Right ? ends : TwoDoubles(0.0, ends.second()), leaving.right);
-    }
+    leaveThroughEdge<true>(apex, leftEdge(face, distances), maximumFacesCrossed, leaving.left);
+  }
+  if (open.right && apex.rightBegin < apex.list.size())
+  {
+    leaveThroughEdge<false>(apex, rightEdge(face, distances), maximumFacesCrossed, leaving.right);
   }
 }
 

@@ -52,6 +52,9 @@ struct ApexQuery
   /// The window that reaches the apex first among those whose pencils contain it; None if there is
   /// none.
   std::size_t first = None;
+  /// Before this window rays pass on the left, from the other one on rays pass on the right.
+  std::size_t leftEnd = 0;
+  std::size_t rightBegin = 0;
 };
 
 /// The full query of the apex: checks every window of a sorted list.
@@ -59,12 +62,12 @@ struct ApexQuery
 /// \param sides the sides of the windows, to which the result refers; replaced, and never made
 ///        shorter.
 ApexQuery fullApexQuery(
-  const WindowRange& list, const PointOverHalfedge& apex, std::vector<ApexSide>& sides);
+  WindowRange list, const PointOverHalfedge& apex, std::vector<ApexSide>& sides);
 
 /// The quick query of the apex: checks only the windows near it, in logarithmic time. Where rays of
 /// several windows cross below the apex, it may miss a shorter path. It suffices to decide when the
 /// front comes to the apex, where the full query follows.
-ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex);
+ApexDistance quickApexQuery(WindowRange list, Vec2 apex);
 
 /// The known distances at the corners of a face: at the ends of the entered halfedge and at the
 /// apex.

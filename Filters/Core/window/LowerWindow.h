@@ -30,8 +30,8 @@ inline bool isSameSource(const Window& a, const Window& b)
   // of the plane.
   const double source = std::abs(a.sourceX) + a.sourceDepth;
   const double length = a.isLinear() ? b.end : source;
-  return std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source && a.kind == b.kind &&
-    a.origin == b.origin &&
+  return a.origin == b.origin && a.kind == b.kind &&
+    std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source &&
     (!a.isLinear() ||
       std::abs(a.start.parameter() - b.start.parameter()) <=
         tolerance::SameSource * (std::abs(a.start.parameter()) + length)) &&

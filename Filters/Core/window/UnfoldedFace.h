@@ -99,11 +99,11 @@ inline UnfoldedFace unfold(const TriangleMesh& mesh, Id halfedge)
 {
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
   const std::size_t k = TriangleMesh::indexInFace(halfedge);
-  const std::size_t next = (k + 1) % 3;
+  const std::size_t next = TriangleMesh::nextIndex(halfedge);
   UnfoldedFace face;
   face.length = shape.length[k];
   face.rightLength = shape.length[next];
-  face.leftLength = shape.length[(k + 2) % 3];
+  face.leftLength = shape.length[TriangleMesh::previousIndex(halfedge)];
   face.apex = Vec2{ shape.cornerDot[k] / face.length, shape.area2 / face.length };
   face.apexFromEnd = shape.cornerDot[next] / face.length;
   if (face.rightLength < tolerance::ShortEdge * face.length)

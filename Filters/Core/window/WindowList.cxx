@@ -221,7 +221,7 @@ void WindowListBuilder::appendOfOther(const Window& window)
 }
 
 // Behind the windows that overlap existing ones, the rest of a run is appended unchanged.
-void WindowListBuilder::appendRun(const WindowRange& run, bool isOfOther)
+void WindowListBuilder::appendRun(WindowRange run, bool isOfOther)
 {
   const Window* w = run.begin();
   if (isOfOther)
@@ -246,7 +246,7 @@ void WindowListBuilder::appendRun(const WindowRange& run, bool isOfOther)
   }
 }
 
-void WindowListBuilder::appendLists(const WindowRange& first, const WindowRange& second)
+void WindowListBuilder::appendLists(WindowRange first, WindowRange second)
 {
   const Window* a = first.begin();
   const Window* b = second.begin();
@@ -295,7 +295,7 @@ void WindowListBuilder::appendLists(const WindowRange& first, const WindowRange&
   }
 }
 
-void WindowListBuilder::appendWhereLower(const Window& window, const WindowRange& others)
+void WindowListBuilder::appendWhereLower(const Window& window, WindowRange others)
 {
   this->lastOwner_ = nullptr;
   double begin = window.begin; // of what is left of the window

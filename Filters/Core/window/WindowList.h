@@ -53,11 +53,11 @@ public:
 
   /// Adds the windows of two sorted lists without overlaps. Where a window of one list follows a
   /// window of the other, appendOfOther() adds it.
-  void appendLists(const WindowRange& first, const WindowRange& second);
+  void appendLists(WindowRange first, WindowRange second);
 
   /// Adds the parts of a window where it is lower than sorted windows without overlaps. It must not
   /// begin before what is there ends.
-  void appendWhereLower(const Window& window, const WindowRange& others);
+  void appendWhereLower(const Window& window, WindowRange others);
 
   void dropNarrowerThan(double width);
 
@@ -75,7 +75,7 @@ private:
   void dropNarrow(Window& last, Window& added);
   void appendParts(const Window& last, const Window& window, const LowerParts& lower, double hi);
   void appendToSeveral(const Window& window);
-  void appendRun(const WindowRange& run, bool isOfOther);
+  void appendRun(WindowRange run, bool isOfOther);
   void appendPiece(const Window& window, double begin, double end);
   bool isWide(double begin, double end) const
   {

@@ -32,7 +32,7 @@ class WindowPool
 {
 public:
   /// Allocates a block with a copy of the windows. The caller frees it.
-  WindowBlock copyOf(const WindowRange& windows)
+  WindowBlock copyOf(WindowRange windows)
   {
     if (windows.size() >> 31 != 0)
     {
@@ -41,13 +41,10 @@ public:
     const std::uint32_t sizeClass = sizeClassOf(windows.size());
     const WindowBlock block = { this->allocate(sizeClass),
       static_cast<std::uint32_t>(windows.size()), sizeClass };
-    if (block.size == 1)
+    Window* to = block.data;
+    for (const Window& window : windows)
     {
-      *block.data = *windows.begin(); // most merged lists have one window
-    }
-    else
-    {
-      std::copy(windows.begin(), windows.end(), block.data);
+      *to++ = window;
     }
     return block;
   }
