@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <vector>
 
 using namespace geodesictest;
@@ -223,6 +225,83 @@ TEST(LeafClosings, AWayThatPassesIsTakenEvenIfItsErrorIsNoSmaller)
     }
   }
   EXPECT_TRUE(noSmaller > 0 || seeds.count < 100);
+}
+
+namespace
+{
+
+double leastAngle(const std::array<Vec3, 3>& t)
+{
+  double least = geodesic::Infinity;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double a = spaceDistance(t[k], t[(k + 1) % 3]);
+    const double b = spaceDistance(t[k], t[(k + 2) % 3]);
+    const double c = spaceDistance(t[(k + 1) % 3], t[(k + 2) % 3]);
+    least =
+      std::min(least, std::acos(std::clamp((a * a + b * b - c * c) / (2 * a * b), -1.0, 1.0)));
+  }
+  return least;
+}
+
+/// The least angle of the four parts of a triangle, whose edges are split at the points.
+double leastAngleOfFour(const std::array<Vec3, 3>& c, const std::array<Vec3, 3>& m)
+{
+  return std::min({ leastAngle({ c[0], m[0], m[2] }), leastAngle({ m[0], c[1], m[1] }),
+    leastAngle({ m[2], m[1], c[2] }), leastAngle(m) });
+}
+
+} // anonymous namespace
+
+TEST(SplitPlaces, OffTheMiddleLeaveTheFacesAroundTheEdgeTheirAngles)
+{
+  const geodesic::Job job;
+  int offMiddle = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const PlainMesh plain = renumbered(randomPlanar(2, 2, random), random).mesh;
+    const geodesic::TriangleMesh mesh = engineMesh(plain);
+    const geodesic::DistanceField field =
+      solveKeepingAll(mesh, engineCurves(mesh, CurveMaker(plain, random).anySource()));
+    geodesic::RedGreenMesh triangles(
+      geodesic::MeshPartition(mesh), std::vector<std::uint8_t>(mesh.numberOfFaces(), 0));
+    geodesic::RefinementWorkers workers(field, triangles, job);
+    const double tolerance = random.uniform(0.005, 0.05);
+    geodesic::DeviationRules rules(triangles, workers, tolerance);
+    for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+    {
+      const Id edge = triangles.ensureEdge(geodesic::TriangleMesh::faceOf(halfedge), halfedge % 3);
+      const double weight = rules.place(edge).weight;
+      const Id face = geodesic::TriangleMesh::faceOf(halfedge);
+      if (weight == 0.5 || triangles.isThin(face))
+      {
+        continue;
+      }
+      ++offMiddle;
+      std::array<Vec3, 3> corners;
+      std::array<Vec3, 3> points;
+      for (Id k = 0; k < 3; ++k)
+      {
+        corners[k] = plain.points[mesh.triangle(face)[k]];
+      }
+      for (Id k = 0; k < 3; ++k)
+      {
+        const bool isAlong = triangles.edgeData(edge).ends[0] == mesh.triangle(face)[k];
+        const double t = k != halfedge % 3 ? 0.5 : isAlong ? weight : 1.0 - weight;
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+          points[k][i] = (1.0 - t) * corners[k][i] + t * corners[(k + 1) % 3][i];
+        }
+      }
+      // Where much is gained, 0.05 will do.
+      const bool isWorthIt = workers.deviation(edge).largest() > 2.5 * tolerance;
+      const double allowed = std::min(isWorthIt ? 0.05 : 0.25, 0.6 * leastAngle(corners));
+      EXPECT_GE(leastAngleOfFour(corners, points), allowed - 1e-9) << "halfedge " << halfedge;
+    }
+  }
+  EXPECT_GT(offMiddle, 0);
 }
 
 // Ranks try a batch of splits that turns out too large again with fewer of them: edges may then
