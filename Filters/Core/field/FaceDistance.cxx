@@ -79,17 +79,17 @@ FaceDistance::FaceDistance(
     throw Error("The distance inside faces was asked for, but the solve kept no windows.");
   }
   this->candidates_.clear();
-  const std::vector<SourceInFace> sources = field.sourcesIn(face);
   for (Id k = 0; k < 3; ++k)
   {
-    this->addHalfedge(field, TriangleMesh::halfedgeOf(face, k), this->exact_ && sources.empty());
+    this->addHalfedge(field, TriangleMesh::halfedgeOf(face, k));
   }
   for (std::size_t k = 0; k < 3; ++k)
   {
-    this->addCone(
-      field.vertexDistances()[this->mesh_->triangle(face)[k]], this->inPlane(cornerWeights(k)));
+    this->candidates_.push_back(
+      { DistanceCandidate::Kind::Cone, field.vertexDistances()[this->mesh_->triangle(face)[k]],
+        this->inPlane(cornerWeights(k)), {}, {}, 0.0, 0.0 });
   }
-  for (const SourceInFace& source : sources)
+  for (const SourceInFace& source : field.sourcesIn(face))
   {
     const Vec2 a = this->inPlane(source.a);
     const auto kind =
@@ -98,14 +98,7 @@ FaceDistance::FaceDistance(
   }
 }
 
-void FaceDistance::addCone(double sigma, Vec2 apex)
-{
-  this->candidates_.push_back({ DistanceCandidate::Kind::Cone, sigma, apex, {}, {}, 0.0, 0.0 });
-}
-
-// A curve's point may lie on the halfedge, between the halfedge's ends, in a face without area
-// behind it. All its rays then enter at one place, in a window without width, which is not kept.
-void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge, bool maySourceBeInside)
+void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge)
 {
   const WindowRuns windows = field.windowsOn(halfedge);
   const double length = this->mesh_->length(halfedge);
@@ -144,17 +137,6 @@ void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge, bool may
       c.sigma = w.sigma;
     }
     this->candidates_.push_back(c);
-    const double rounding = tolerance::PlaceRounding * length;
-    const auto isSource = [&](double x, double distance)
-    { return distance <= rounding && x > rounding && length - x > rounding; };
-    if (maySourceBeInside && isSource(w.begin, c.atBegin))
-    {
-      this->addCone(c.atBegin, c.begin);
-    }
-    if (maySourceBeInside && isSource(w.end, c.atEnd))
-    {
-      this->addCone(c.atEnd, c.end);
-    }
   }
 }
 

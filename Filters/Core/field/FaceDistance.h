@@ -82,8 +82,7 @@ public:
   double distance(Vec2 p) const;
 
 private:
-  void addHalfedge(const DistanceField& field, Id halfedge, bool maySourceBeInside);
-  void addCone(double sigma, Vec2 apex);
+  void addHalfedge(const DistanceField& field, Id halfedge);
 
   const TriangleMesh* mesh_;
   bool exact_;

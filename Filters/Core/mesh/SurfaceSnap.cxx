@@ -113,24 +113,22 @@ Candidate closestPoint(const Face& face, const Vec3& point)
   return inside.distance <= best.distance ? inside : best;
 }
 
-/// Moves the point onto the nearest vertex within the precision; false if there is none.
+/// Moves the point onto a vertex within the precision; false if there is none. There is one at
+/// most, as tolerance::SnapFraction is less than half, but for vertices at one place: then the
+/// first.
 bool snapToVertex(const Face& face, double precision, Barycentric& weights)
 {
-  double nearest = Infinity;
-  std::size_t vertex = 0;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const double distance = norm(face.fromCorner(k, weights));
     const double shorter = std::min(face.shape.length[k], face.shape.length[(k + 2) % 3]);
     const double snapDistance = std::min(precision, tolerance::SnapFraction * shorter);
-    if (distance <= snapDistance && distance < nearest)
+    if (norm(face.fromCorner(k, weights)) <= snapDistance)
     {
-      nearest = distance;
-      vertex = k;
+      weights = cornerWeights(k);
+      return true;
     }
   }
-  weights = nearest < Infinity ? cornerWeights(vertex) : weights;
-  return nearest < Infinity;
+  return false;
 }
 
 /// Moves the point perpendicularly onto the nearest halfedge within the precision, if any.

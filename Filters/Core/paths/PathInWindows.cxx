@@ -34,15 +34,14 @@ struct PathStep
   double length = 0.0;
   double left = 0.0;
   bool isAtSource = false;
-  /// The face crossed to come here.
-  Id face = NoId;
   std::vector<Piece> ways = {};
   std::size_t next = 0;
 };
 
 /// Searches depth first: pieces without length may lead around faces without area to where no way
 /// on is left but back. A shortest path crosses no face twice, and a place that has been left once
-/// is not tried again, so that the search ends.
+/// is not tried again, so that the search ends. A face before a dead end stays crossed: the step
+/// before knows all ways through it.
 class PathSearch
 {
 public:
@@ -62,7 +61,8 @@ public:
       PathStep& last = this->steps_.back();
       if (last.next == last.ways.size())
       {
-        this->goBack();
+        this->deadEnds_.insert(this->keyOf(last.point));
+        this->steps_.pop_back();
         continue;
       }
       const Piece& way = last.ways[last.next++];
@@ -71,8 +71,12 @@ public:
         // A piece without length may lead onto a vertex beside, and the path from there back.
         const bool ontoVertex = last.point.kind != SurfacePoint::Kind::Vertex &&
           way.begin.kind == SurfacePoint::Kind::Vertex;
-        this->goTo({ way.begin, last.length + way.length, way.distance - way.length,
-          way.beginsAtSource, ontoVertex ? NoId : way.face });
+        if (!ontoVertex)
+        {
+          this->isCrossed_[way.face] = 1;
+        }
+        this->goTo(
+          { way.begin, last.length + way.length, way.distance - way.length, way.beginsAtSource });
       }
     }
     std::vector<SurfacePoint> points;
@@ -96,26 +100,11 @@ private:
     const SurfacePoint& p = step.point;
     step.isAtSource = step.isAtSource ||
       (p.kind == SurfacePoint::Kind::Vertex && this->field_.vertexDistances()[p.id] == 0.0);
-    if (step.face != NoId)
-    {
-      this->isCrossed_[step.face] = 1;
-    }
     if (!step.isAtSource)
     {
       step.ways = this->waysTo(p, step.left, this->longest_ - step.length);
     }
     this->steps_.push_back(std::move(step));
-  }
-
-  void goBack()
-  {
-    const PathStep& last = this->steps_.back();
-    this->deadEnds_.insert(this->keyOf(last.point));
-    if (last.face != NoId)
-    {
-      this->isCrossed_[last.face] = 0;
-    }
-    this->steps_.pop_back();
   }
 
   /// The last pieces of paths to a point, through faces that the path has not crossed. Of those as

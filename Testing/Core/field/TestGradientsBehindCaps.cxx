@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <set>
@@ -424,6 +425,34 @@ TEST(GradientsBehindCaps, OfTwoVerticesAtOnePlaceAreTheSame)
       const geodesic::Vec3 gradient = gradientAt(field, SurfacePoint::atVertex(vertex));
       EXPECT_NEAR(gradient[0], -from[0] / distance, 1e-14);
       EXPECT_NEAR(gradient[1], (0.25 - from[1]) / distance, 1e-14);
+    }
+  }
+}
+
+// A cap whose middle corner is a rounding beside an end of its long edge: the ray passes the longer
+// of the other two edges, whichever end that is and wherever it comes.
+TEST(GradientsBehindCaps, RaysDoNotPassEdgesAsShortAsRounding)
+{
+  const double beside = std::numeric_limits<double>::epsilon();
+  for (const bool isAtEnd : { false, true })
+  {
+    PlainMesh mesh;
+    mesh.points = { { 1, 0, 0 }, { 2, 0, 0 }, { isAtEnd ? 2 - beside : 1 + beside, 0, 0 },
+      { 1.5, -1, 0 }, { 1.5, 1, 0 }, { isAtEnd ? 2.5 : 0.5, 0.5, 0 } };
+    mesh.triangles = { { 0, 1, 2 }, { 1, 0, 3 } };
+    mesh.triangles.push_back(isAtEnd ? Triangle{ 0, 2, 4 } : Triangle{ 2, 1, 4 });
+    mesh.triangles.push_back(isAtEnd ? Triangle{ 2, 1, 5 } : Triangle{ 0, 2, 5 });
+    const TriangleMesh engine = engineMesh(mesh);
+    ASSERT_TRUE(engine.shape(0).hasZeroArea());
+    for (const double x : { 0.0, 0.5 * beside, beside, 0.5, 1.0 - beside, 1.0 - 0.5 * beside, 1.0 })
+    {
+      SCOPED_TRACE(std::string(isAtEnd ? "end" : "begin") + ", x " + std::to_string(x));
+      const geodesic::IncomingRay ray =
+        geodesic::backToDirectionInSpace(engine, { 0, true, x, { 0.6, -0.8 } });
+      EXPECT_EQ(TriangleMesh::faceOf(ray.halfedge), 2U);
+      const geodesic::Vec3 direction = inSpace(engine, ray.halfedge, ray.direction);
+      EXPECT_NEAR(direction[0], 0.6, 1e-12);
+      EXPECT_NEAR(direction[1], -0.8, 1e-12);
     }
   }
 }

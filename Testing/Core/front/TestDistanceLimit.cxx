@@ -488,3 +488,39 @@ TEST(DistanceLimit, AnEdgeOfAFaceWhoseWindowsWereNotKeptHasNoKnownDistance)
   }
   EXPECT_EQ(edges, 2) << "seen from both faces";
 }
+
+namespace
+{
+
+class KeepNoneWithin : public geodesic::KeepNone
+{
+public:
+  explicit KeepNoneWithin(double reach)
+    : reach_(reach)
+  {
+  }
+  double reach() const override { return this->reach_; }
+
+private:
+  double reach_;
+};
+
+} // anonymous namespace
+
+// The straight way to vertex 4 waits for vertex 3, far beyond the reach. Behind vertex 4 faces meet
+// in vertices only: no windows go there, the ways along edges alone.
+TEST(RetentionWithAReach, VerticesShortenedBehindTheFrontPassTheirDistancesOn)
+{
+  const TriangleMesh mesh(
+    { { 0, -2, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 0.5, 6, 0 }, { 1.2, 1, 0 }, { 1.7, 1, 0 },
+      { 1.5, 1.2, 0 }, { 2.1, 1, 0 }, { 1.9, 1.2, 0 }, { 2.5, 1, 0 }, { 2.3, 1.2, 0 } },
+    { { 0, 1, 2 }, { 2, 1, 3 }, { 3, 1, 4 }, { 4, 5, 6 }, { 5, 7, 8 }, { 7, 9, 10 } });
+  KeepNoneWithin retention(5.0);
+  const geodesic::FrontResult front =
+    propagate(mesh, { geodesic::pointCurve(geodesic::SurfacePoint::atVertex(0)) }, {}, retention);
+  const double toBranch = std::hypot(1.2, 3.0);
+  EXPECT_NEAR(front.vertexDistances[4], toBranch, 1e-14);
+  EXPECT_NEAR(front.vertexDistances[5], toBranch + 0.5, 1e-14);
+  EXPECT_NEAR(front.vertexDistances[7], toBranch + 0.9, 1e-14);
+  EXPECT_NEAR(front.vertexDistances[9], toBranch + 1.3, 1e-14);
+}

@@ -3,12 +3,14 @@
 #include "EngineSupport.h"
 
 #include "Errors.h"
+#include "Trigonometry.h"
 #include "mesh/SurfaceLocator.h"
 #include "mesh/SurfaceSnap.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -163,6 +165,45 @@ TEST(SurfaceLocator, FacesWithoutAreaCountLikeAllOthers)
   EXPECT_EQ(locator.closest({ 0.7, -0.2, 0.1 }, Epsilon), (std::vector<Id>{ 0, 1 }));
   EXPECT_EQ(locator.closest({ 0.7, 0.3, 0.0 }, Epsilon), (std::vector<Id>{ 0 }));
   EXPECT_EQ(locator.closest({ 0.5, 5.1, 0.0 }, Epsilon), (std::vector<Id>{ 2 }));
+}
+
+// From so far, and so nearly from above, each of three faces has its closest point on an edge that
+// it shares with the next one, although by more than rounding none is closer than the others.
+TEST(SurfaceLocator, FacesThatEachLoseToAnotherByRoundingAreAllFound)
+{
+  int eachLoses = 0;
+  for (std::uint64_t seed = 0; seed < 2000; ++seed)
+  {
+    Random random(seed);
+    const double far = std::pow(10.0, random.uniform(8.0, 9.0));
+    const double slope = std::pow(10.0, random.uniform(-9.0, -7.0));
+    std::vector<Vec3> points = { { 0, 0, 0 } };
+    for (int i = 0; i < 3; ++i)
+    {
+      const double angle = (2.0 * i + random.uniform(-0.5, 0.5)) / 3.0 * Pi;
+      const double length = random.uniform(0.5, 2.0);
+      points.push_back(
+        { length * std::cos(angle), length * std::sin(angle), random.uniform(-slope, slope) });
+    }
+    const TriangleMesh mesh(points, { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 } });
+    const double aside = 0.5 * slope * far;
+    const Vec3 point = { random.uniform(-aside, aside), random.uniform(-aside, aside), far };
+    const auto support = [&](Id face)
+    { return barycentric(mesh, snapToFace(mesh, face, point, 0.0).place, face); };
+    const std::array<Barycentric, 3> at = { support(0), support(1), support(2) };
+    // Face k has the vertices 0, 1 + k and 1 + (k + 1) % 3.
+    const auto isAlong = [&](std::size_t corner, std::size_t other)
+    {
+      return std::all_of(at.begin(), at.end(),
+        [&](const Barycentric& b) { return b[0] > 0.0 && b[corner] > 0.0 && b[other] == 0.0; });
+    };
+    if (isAlong(1, 2) || isAlong(2, 1))
+    {
+      ++eachLoses;
+      EXPECT_EQ(Locator(mesh).closest(point, Epsilon), (std::vector<Id>{ 0, 1, 2 }));
+    }
+  }
+  EXPECT_GT(eachLoses, 0);
 }
 
 TEST(SurfaceLocator, HalfwayBetweenSheetsBothAreFound)

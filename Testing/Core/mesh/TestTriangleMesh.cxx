@@ -121,7 +121,7 @@ TEST(TriangleMesh, LengthsAndAreaAreThoseInSpace)
   EXPECT_DOUBLE_EQ(mesh.shape(0).cornerDot[2], 16.0);
 }
 
-TEST(TriangleMesh, BadFacesAreLeftOutButForThoseWithoutArea)
+TEST(TriangleMesh, BadFacesAreLeftOutButForThoseWithoutAreaAndTheFirstOfCopies)
 {
   PlainMesh plain = regularGrid(2, 2); // 9 points, 8 faces
   plain.points.push_back({ 5, 5, 5 });
@@ -137,6 +137,7 @@ TEST(TriangleMesh, BadFacesAreLeftOutButForThoseWithoutArea)
   ASSERT_EQ(mesh.numberOfFaces(), 9u);
   for (geodesic::Id f = 0; f < mesh.numberOfFaces(); ++f)
   {
+    EXPECT_EQ(mesh.inputFace(f), f < 8 ? f + 1 : 11U);
     EXPECT_EQ(mesh.triangle(f), plain.triangles[mesh.inputFace(f)]) << "face " << f;
   }
 }

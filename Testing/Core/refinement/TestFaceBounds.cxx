@@ -243,6 +243,33 @@ std::vector<Window> listNearLine(double length, double off, Random& random)
 
 }
 
+// The distance is 0 all along the source.
+TEST(QuickError, IsNoLessThanTheInterpolantAtEitherEndOfASourceInTheFace)
+{
+  for (std::uint64_t seed = 0; seed < 2000; ++seed)
+  {
+    Random random(seed);
+    const PlainMesh plain = randomPlanar(2, 2, random);
+    const TriangleMesh mesh = engineMesh(plain);
+    const MeshSegment segment{ random.below(mesh.numberOfFaces()), randomWeights(random),
+      randomWeights(random) };
+    const geodesic::DistanceField field =
+      solveKeepingAll(mesh, engineCurves(mesh, Sources{ {}, { segment } }));
+    constexpr double tolerance = 10.0; // more than any distance
+    const geodesic::QuickError error =
+      geodesic::quickErrorOfFace(field, segment.face, tolerance, 0.0);
+    for (const Barycentric& end : { segment.from, segment.to })
+    {
+      double interpolant = 0.0;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        interpolant += end[k] * field.vertexDistances()[mesh.triangle(segment.face)[k]];
+      }
+      EXPECT_GE(error.byWindows + error.rounding, interpolant) << "seed " << seed;
+    }
+  }
+}
+
 TEST(ListInBand, SaysYesOnlyOfListsThatStayInTheBand)
 {
   std::array<int, 2> found{};

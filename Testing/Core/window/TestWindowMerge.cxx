@@ -171,7 +171,7 @@ TEST(WindowMerge, TheErrorStaysWithinEpsilonOfTheLeastDistance)
   }
 }
 
-TEST(WindowMerge, TheSumOfTheMergesOfOneListIsBounded)
+TEST(WindowMerge, TheSumOfTheMergesOfOneListIsBoundedAndTheLargestErrorIsThatOfAllMerges)
 {
   Random random(4);
   constexpr double maximum = 1e-3;
@@ -194,10 +194,12 @@ TEST(WindowMerge, TheSumOfTheMergesOfOneListIsBounded)
       }
     }
     std::vector<Window> list = windows;
-    mergeNeighbours(list, 1.0, 10.0, maximum);
+    const double found = mergeNeighbours(list, 1.0, 10.0, maximum);
     merges += windows.size() - list.size();
+    double largest = 0.0;
     for (const Window& merged : list)
     {
+      largest = std::max(largest, merged.error / merged.minimum());
       std::size_t replaced = 0;
       for (const Window& w : windows)
       {
@@ -216,6 +218,7 @@ TEST(WindowMerge, TheSumOfTheMergesOfOneListIsBounded)
       }
       chains += replaced > 2 ? 1 : 0;
     }
+    EXPECT_DOUBLE_EQ(found, largest);
   }
   EXPECT_GT(merges, 300u);
   EXPECT_GT(chains, 100u) << "merged windows merge again";
