@@ -319,7 +319,7 @@ std::vector<int> MeshPartition::otherRanksAt(Id halfedge) const
 
 Id MeshPartition::copyOf(const RankAddress& face) const
 {
-  const Id i = this->tables_ ? placeIn(this->tables_->halo, face) : NoId;
+  const Id i = this->tables_ ? indexIn(this->tables_->halo, face) : NoId;
   return i == NoId || i < this->firstOwnFace_ ? i
                                               : i + (this->endOfOwnFaces_ - this->firstOwnFace_);
 }

@@ -25,9 +25,9 @@ struct RankAddress
   }
 };
 
-/// The place of a value in an ascending list; NoId where it is not there.
+/// The index of a value in an ascending list; NoId where it is not there.
 template <typename Value>
-Id placeIn(const std::vector<Value>& values, const Value& value)
+Id indexIn(const std::vector<Value>& values, const Value& value)
 {
   const auto found = std::lower_bound(values.begin(), values.end(), value);
   return found == values.end() || value < *found ? NoId : static_cast<Id>(found - values.begin());

@@ -77,7 +77,7 @@ GatheredFaces::GatheredFaces(std::vector<SentFace> faces)
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
-      triangles[i][k] = placeIn(ids, faces[i].vertices[k]);
+      triangles[i][k] = indexIn(ids, faces[i].vertices[k]);
       points[triangles[i][k]] = faces[i].points[k];
     }
   }
@@ -91,12 +91,12 @@ GatheredFaces::GatheredFaces(std::vector<SentFace> faces)
 
 Id GatheredFaces::faceAt(const RankAddress& face) const
 {
-  return this->tables_ ? placeIn(this->tables_->owners, face) : face.id;
+  return this->tables_ ? indexIn(this->tables_->owners, face) : face.id;
 }
 
 Id GatheredFaces::vertexAt(Id globalId) const
 {
-  return this->tables_ ? placeIn(this->tables_->globalIds, globalId) : globalId;
+  return this->tables_ ? indexIn(this->tables_->globalIds, globalId) : globalId;
 }
 
 ReplicatedPatch::ReplicatedPatch(const MeshPartition& part, const std::vector<Id>& faces)
@@ -110,23 +110,23 @@ ReplicatedPatch::ReplicatedPatch(const MeshPartition& part, const std::vector<Id
   const std::vector<FaceOfPatch> gathered = gather(part, faces);
   static_cast<GatheredFaces&>(*this) =
     GatheredFaces(std::vector<SentFace>(gathered.begin(), gathered.end()));
-  Places places;
-  places.boundary.assign(this->mesh().numberOfFaces(), 0);
+  OnThisRank known;
+  known.boundary.assign(this->mesh().numberOfFaces(), 0);
   for (const FaceOfPatch& entry : gathered)
   {
-    places.boundary[this->faceAt(entry.owner)] |= entry.boundary;
+    known.boundary[this->faceAt(entry.owner)] |= entry.boundary;
   }
-  places.vertexOfPart.assign(this->mesh().numberOfVertices(), NoId);
+  known.vertexOfPart.assign(this->mesh().numberOfVertices(), NoId);
   for (Id face = 0; face < this->mesh().numberOfFaces(); ++face)
   {
     const Id ofPart = part.faceAt(this->ownerOf(face));
-    places.faceOfPart.push_back(ofPart);
+    known.faceOfPart.push_back(ofPart);
     for (std::size_t k = 0; k < 3 && ofPart != NoId && part.isOwn(ofPart); ++k)
     {
-      places.vertexOfPart[this->mesh().triangle(face)[k]] = part.mesh().triangle(ofPart)[k];
+      known.vertexOfPart[this->mesh().triangle(face)[k]] = part.mesh().triangle(ofPart)[k];
     }
   }
-  this->places_ = std::make_shared<Places>(std::move(places));
+  this->onThisRank_ = std::make_shared<OnThisRank>(std::move(known));
   this->faces_.resize(this->mesh().numberOfFaces());
   std::iota(this->faces_.begin(), this->faces_.end(), Id(0));
 }

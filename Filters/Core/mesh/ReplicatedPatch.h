@@ -79,21 +79,25 @@ public:
   bool isGlobalBoundary(Id halfedge) const
   {
     const Id k = TriangleMesh::indexInFace(halfedge);
-    return this->places_ ? (this->places_->boundary[TriangleMesh::faceOf(halfedge)] >> k & 1U) != 0
-                         : this->mesh().isBoundary(halfedge);
+    return this->onThisRank_
+      ? (this->onThisRank_->boundary[TriangleMesh::faceOf(halfedge)] >> k & 1U) != 0
+      : this->mesh().isBoundary(halfedge);
   }
 
   /// The number of the patch's face or vertex in this rank's partition; NoId if the partition does
   /// not have it. Vertices are found only on faces that this rank owns.
-  Id faceOfPart(Id face) const { return this->places_ ? this->places_->faceOfPart[face] : face; }
+  Id faceOfPart(Id face) const
+  {
+    return this->onThisRank_ ? this->onThisRank_->faceOfPart[face] : face;
+  }
   Id vertexOfPart(Id vertex) const
   {
-    return this->places_ ? this->places_->vertexOfPart[vertex] : vertex;
+    return this->onThisRank_ ? this->onThisRank_->vertexOfPart[vertex] : vertex;
   }
 
 private:
   /// What this rank knows of the patch.
-  struct Places
+  struct OnThisRank
   {
     /// A bit for each halfedge of a face.
     std::vector<std::uint8_t> boundary;
@@ -102,7 +106,7 @@ private:
   };
 
   /// Null in one process.
-  std::shared_ptr<const Places> places_;
+  std::shared_ptr<const OnThisRank> onThisRank_;
   std::vector<Id> faces_;
 };
 

@@ -190,7 +190,7 @@ CurvesOnPatch::CurvesOnPatch(const ReplicatedPatch& patch, const std::vector<Sou
 
 const VertexOnCurve* CurvesOnPatch::find(Id vertex) const
 {
-  const Id i = placeIn(this->vertices_, VertexOnCurve{ vertex });
+  const Id i = indexIn(this->vertices_, VertexOnCurve{ vertex });
   return i != NoId ? &this->vertices_[i] : nullptr;
 }
 

@@ -76,9 +76,9 @@ std::vector<std::vector<Id>> verticesAt(const TriangleMesh& mesh, const std::vec
     {
       continue;
     }
-    if (const Id place = placeIn(places, p); place != NoId)
+    if (const Id i = indexIn(places, p); i != NoId)
     {
-      vertices[place].push_back(vertex);
+      vertices[i].push_back(vertex);
     }
   }
   return vertices;

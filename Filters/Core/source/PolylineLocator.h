@@ -20,7 +20,7 @@ struct LocatedPlaces
   std::vector<Vec3> places;
   ClosestFaces faces;
 
-  std::size_t indexOf(const Vec3& place) const { return placeIn(this->places, place); }
+  std::size_t indexOf(const Vec3& place) const { return indexIn(this->places, place); }
   /// Sets the faces of polylines with these points, as faces of a patch that has them. A point that
   /// is a vertex has a face there.
   void setFaces(const ReplicatedPatch& patch, std::vector<LocatedPolyline>& polylines) const;
