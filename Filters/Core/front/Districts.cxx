@@ -110,7 +110,7 @@ Districts::Districts(const TriangleMesh& mesh, const Job& job)
 
 void Districts::sort(std::vector<Id>& vertices) const
 {
-  if (this->blocks_.empty())
+  if (this->blocks_.empty() || vertices.size() < 2)
   {
     std::sort(vertices.begin(), vertices.end());
     return;
