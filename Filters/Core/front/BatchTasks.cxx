@@ -14,14 +14,21 @@ namespace geodesic
 namespace
 {
 
-// Few lists shorten the path to their apex, so only these are asked where their path comes from.
+// Few lists shorten the path to their apex, so only these are asked where their path comes from,
+// and only if arrivals are kept, from where it starts and how it is directed.
 DistanceUpdate arrivalThrough(
-  const TriangleMesh& mesh, Id halfedge, Vec2 apex, const ApexDistance& path)
+  const BatchTasks& tasks, Id halfedge, Vec2 apex, const ApexDistance& path)
 {
   const Window& w = *path.nearest;
   const double x = w.crossing(apex);
-  return { mesh.opposite(halfedge), path.distance, w.error,
-    { halfedge, w.origin, x, w.directionTo(apex, x), w.startOf({ x, 0.0 }) } };
+  DistanceUpdate update = { tasks.mesh.opposite(halfedge), path.distance, w.error,
+    { halfedge, w.origin, x } };
+  if (tasks.options.keepArrivals)
+  {
+    update.from.direction = w.directionTo(apex, x);
+    update.from.start = w.startOf({ x, 0.0 });
+  }
+  return update;
 }
 
 /// Works on items one after another, while the memory of the next ones is prefetched.
@@ -258,7 +265,7 @@ void receiveList(BatchTasks& tasks, FrontWorker& worker, District& district, Sen
   const ApexDistance found = quickApexQuery(sent.windows.range(), apexAt);
   if (found.nearest != nullptr && tasks.vertices.isImprovedBy(apex, found.distance))
   {
-    const DistanceUpdate arrival = arrivalThrough(tasks.mesh, sent.halfedge, apexAt, found);
+    const DistanceUpdate arrival = arrivalThrough(tasks, sent.halfedge, apexAt, found);
     tasks.shorten(district, arrival);
     district.toRanks.addArrival(arrival);
   }
@@ -361,7 +368,7 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
   }
   if (apex.shortest.nearest != nullptr && this->vertices.isImprovedBy(opposite, toApex))
   {
-    sendUpdate(*this, district, arrivalThrough(this->mesh, halfedge, face.apex, apex.shortest));
+    sendUpdate(*this, district, arrivalThrough(*this, halfedge, face.apex, apex.shortest));
   }
   const CornerDistances corners = { std::min(this->vertices.distance(origin), found.origin),
     std::min(this->vertices.distance(destination), found.destination),
@@ -369,9 +376,7 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
 
   const Id left = TriangleMesh::previousInFace(halfedge);
   const Id right = TriangleMesh::nextInFace(halfedge);
-  propagateThroughFace(apex, face, corners,
-    { !this->mesh.isBoundary(left), !this->mesh.isBoundary(right) }, this->mostFaces,
-    worker.leaving);
+  propagateThroughFace(apex, face, corners, this->mostFaces, worker.leaving);
   this->retire(
     worker, district, { halfedge, block, { corners.origin, corners.destination } }, batch);
   if (!worker.leaving.left.windows().empty())

@@ -110,13 +110,17 @@ Districts::Districts(const TriangleMesh& mesh, const Job& job)
 
 void Districts::sort(std::vector<Id>& vertices) const
 {
-  std::sort(vertices.begin(), vertices.end(),
-    [this](Id a, Id b)
-    {
-      const Id blockOfA = this->blockOf(a);
-      const Id blockOfB = this->blockOf(b);
-      return blockOfA != blockOfB ? blockOfA < blockOfB : a < b;
-    });
+  if (this->blocks_.empty() || vertices.size() < 2)
+  {
+    std::sort(vertices.begin(), vertices.end());
+    return;
+  }
+  std::vector<std::uint64_t> inBlocks(vertices.size());
+  std::transform(vertices.begin(), vertices.end(), inBlocks.begin(),
+    [this](Id vertex) { return std::uint64_t(this->blocks_[vertex]) << 32 | vertex; });
+  std::sort(inBlocks.begin(), inBlocks.end());
+  std::transform(inBlocks.begin(), inBlocks.end(), vertices.begin(),
+    [](std::uint64_t inBlock) { return static_cast<Id>(inBlock); });
 }
 
 }

@@ -94,20 +94,23 @@ Continuation continueAcross(const TriangleMesh& mesh, Id vertex, Id edge, Vec2 a
     {
       return { Found::No, {}, 0.0 };
     }
-    const Stop stop = behind(mesh, vertex, other);
-    const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(stop.corner));
+    const Id face = TriangleMesh::faceOf(other);
+    const FaceShape& shape = mesh.shape(face);
     if (mesh.nextSibling(other) != edge || !(shape.area2 > 0.0))
     {
       return {};
     }
-    const double dot = shape.cornerDot[TriangleMesh::indexInFace(stop.corner)];
-    const Vec2 next = rotated(angle, unit({ dot, shape.area2 }));
+    const Id across = TriangleMesh::indexInFace(other);
+    const bool acrossOutgoing = mesh.triangle(face)[across] == vertex;
+    const Id k = acrossOutgoing ? across : TriangleMesh::nextIndex(other);
+    const Vec2 next = rotated(angle, unit({ shape.cornerDot[k], shape.area2 }));
     if (next.y < 0.0 || (next.y == 0.0 && next.x < 0.0))
     {
+      const Stop stop = { TriangleMesh::halfedgeOf(face, k), acrossOutgoing };
       return { Found::Yes, stop, meet(mesh, stop, { -angle.x, angle.y }) };
     }
     angle = next;
-    edge = stop.leavingEdge();
+    edge = TriangleMesh::halfedgeOf(face, acrossOutgoing ? TriangleMesh::previousIndex(other) : k);
   }
   return {};
 }

@@ -264,15 +264,15 @@ ApexDistance quickApexQuery(WindowRange list, Vec2 apex)
 }
 
 void propagateThroughFace(const ApexQuery& apex, const UnfoldedFace& face,
-  const CornerDistances& distances, OpenEdges open, Id maximumFacesCrossed, LeavingWindows& leaving)
+  const CornerDistances& distances, Id maximumFacesCrossed, LeavingWindows& leaving)
 {
   leaving.left.reset(face.leftLength);
   leaving.right.reset(face.rightLength);
-  if (open.left && apex.leftEnd > 0)
+  if (apex.leftEnd > 0)
   {
     leaveThroughEdge<true>(apex, leftEdge(face, distances), maximumFacesCrossed, leaving.left);
   }
-  if (open.right && apex.rightBegin < apex.list.size())
+  if (apex.rightBegin < apex.list.size())
   {
     leaveThroughEdge<false>(apex, rightEdge(face, distances), maximumFacesCrossed, leaving.right);
   }

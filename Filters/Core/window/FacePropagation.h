@@ -78,13 +78,6 @@ struct CornerDistances
   double apex;
 };
 
-/// The edges of a face through which windows continue: those with another face behind them.
-struct OpenEdges
-{
-  bool left;
-  bool right;
-};
-
 /// The windows that have left a face through its left and right edges, in the frames of
 /// UnfoldedFace::throughLeft() and throughRight(). One object serves many faces.
 struct LeavingWindows
@@ -102,10 +95,9 @@ struct LeavingWindows
 ///        query at the apex.
 /// \param maximumFacesCrossed windows that have crossed this many faces are dropped: a shortest
 ///        path crosses no face twice.
-/// \param leaving the windows behind the open edges; replaced.
+/// \param leaving the windows behind both edges, also where no face is; replaced.
 void propagateThroughFace(const ApexQuery& apex, const UnfoldedFace& face,
-  const CornerDistances& distances, OpenEdges open, Id maximumFacesCrossed,
-  LeavingWindows& leaving);
+  const CornerDistances& distances, Id maximumFacesCrossed, LeavingWindows& leaving);
 
 }
 

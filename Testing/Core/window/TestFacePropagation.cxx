@@ -122,7 +122,7 @@ double at(const WindowRange& list, double x)
 void propagate(const ApexQuery& apex, const RandomFace& random, const CornerDistances& known,
   LeavingWindows& leaving, Id maximum = Unlimited)
 {
-  propagateThroughFace(apex, random.face, known, { true, true }, maximum, leaving);
+  propagateThroughFace(apex, random.face, known, maximum, leaving);
 }
 
 /// Each window behind an edge continues one of the list straight.
@@ -394,24 +394,9 @@ TEST(FacePropagation, OnlyOneWindowThatContainsTheApexContinuesThroughBothEdges)
   }
   EXPECT_EQ(apex.first, 1u);
   LeavingWindows leaving;
-  propagateThroughFace(apex, face, Unknown, { true, true }, Unlimited, leaving);
+  propagateThroughFace(apex, face, Unknown, Unlimited, leaving);
   EXPECT_EQ(leaving.left.windows().size(), 2u);
   EXPECT_EQ(leaving.right.windows().size(), 2u);
-}
-
-TEST(FacePropagation, NoWindowLeavesThroughAClosedEdge)
-{
-  const UnfoldedFace face = geodesic::unfold(triangle(1.0, { 0.5, 1.0 }), 0);
-  const Window w = circularWindow(0.0, 1.0, 0.5, 1.0);
-  std::vector<ApexSide> sides;
-  const ApexQuery apex = fullApexQuery({ &w, &w + 1 }, face.apex, sides);
-  LeavingWindows leaving;
-  propagateThroughFace(apex, face, Unknown, { true, false }, Unlimited, leaving);
-  EXPECT_EQ(leaving.left.windows().size(), 1u);
-  EXPECT_EQ(leaving.right.windows().size(), 0u);
-  propagateThroughFace(apex, face, Unknown, { false, true }, Unlimited, leaving);
-  EXPECT_EQ(leaving.left.windows().size(), 0u);
-  EXPECT_EQ(leaving.right.windows().size(), 1u);
 }
 
 TEST(FacePropagation, WindowsThatHaveCrossedTooManyFacesAreDropped)
@@ -422,13 +407,13 @@ TEST(FacePropagation, WindowsThatHaveCrossedTooManyFacesAreDropped)
   std::vector<ApexSide> sides;
   LeavingWindows leaving;
   w.facesCrossed = maximum;
-  propagateThroughFace(fullApexQuery({ &w, &w + 1 }, face.apex, sides), face, Unknown,
-    { true, true }, maximum, leaving);
+  propagateThroughFace(
+    fullApexQuery({ &w, &w + 1 }, face.apex, sides), face, Unknown, maximum, leaving);
   EXPECT_EQ(leaving.left.windows().size(), 0u);
   EXPECT_EQ(leaving.right.windows().size(), 0u);
   w.facesCrossed = maximum - 1;
-  propagateThroughFace(fullApexQuery({ &w, &w + 1 }, face.apex, sides), face, Unknown,
-    { true, true }, maximum, leaving);
+  propagateThroughFace(
+    fullApexQuery({ &w, &w + 1 }, face.apex, sides), face, Unknown, maximum, leaving);
   ASSERT_EQ(leaving.left.windows().size(), 1u);
   ASSERT_EQ(leaving.right.windows().size(), 1u);
   EXPECT_EQ(leaving.left.windows()[0].facesCrossed, maximum);
@@ -446,8 +431,7 @@ TEST(FacePropagation, WindowsThatAPathThroughACornerBeatsAreDroppedAndTiesStay)
   LeavingWindows leaving;
   const auto count = [&](double atOrigin)
   {
-    propagateThroughFace(
-      apex, face, { atOrigin, Infinity, Infinity }, { true, true }, Unlimited, leaving);
+    propagateThroughFace(apex, face, { atOrigin, Infinity, Infinity }, Unlimited, leaving);
     return leaving.left.windows().size();
   };
   // The ray through the window's far end meets the left edge 1/3 + ... from its origin.
