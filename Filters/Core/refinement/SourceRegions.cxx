@@ -19,8 +19,7 @@ SourceRegion SourceRegions::of(const Foot& foot) const
   {
     return {};
   }
-  const SourceCurve& curve = this->curves_[foot.curve];
-  return { curve.source, this->bySides_ && foot.isRight && curve.points.size() > 1 };
+  return { this->curves_[foot.curve].source, this->bySides_ && foot.isRight };
 }
 
 std::vector<std::uint8_t> SourceRegions::facesAtBorders()

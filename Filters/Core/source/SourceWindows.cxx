@@ -14,18 +14,6 @@ namespace geodesic
 namespace
 {
 
-// Whether rays to one side of the segment may leave through a halfedge. If the segment ends in a
-// corner, one of the corner's halfedges lies on its left and the other on its right: through the
-// wrong one rounding would admit a sliver of rays.
-bool isSideOf(std::size_t k, const SourceInFace& segment, bool isRight)
-{
-  const auto isCorner = [](const Barycentric& p, std::size_t corner)
-  { return p[(corner + 1) % 3] == 0.0 && p[(corner + 2) % 3] == 0.0; };
-  const bool isOnRight = isCorner(segment.a, k) || isCorner(segment.b, (k + 1) % 3);
-  const bool isOnLeft = isCorner(segment.b, k) || isCorner(segment.a, (k + 1) % 3);
-  return isRight ? !isOnLeft : !isOnRight;
-}
-
 // The rays through one halfedge: the strip beside the segment, bounded by the rays at its two ends.
 void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFace& segment,
   std::vector<LeavingWindow>& windows)
@@ -34,10 +22,6 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFac
   Vec2 to = inLeavingFrame(mesh, halfedge, segment.b);
   // Rays go up; they leave to the left of a segment that runs from left to right.
   const bool isRight = from.x > to.x;
-  if (!isSideOf(TriangleMesh::indexInFace(halfedge), segment, isRight))
-  {
-    return;
-  }
   if (isRight)
   {
     std::swap(from, to);
@@ -52,7 +36,8 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFac
   const double origin = dot(from, t); // position along the segment of x = 0, negated
   interval.clip(-origin, t.x);
   interval.clip(origin + length, -t.x);
-  // If the segment touches the halfedge, rays leave the face only up to there.
+  // If the segment touches the halfedge, rays leave the face only up to there: none if it leads
+  // from the end of the halfedge to the other side.
   const double sigma = -cross(t, from);
   interval.clip(sigma, -t.y);
   const double parameter = isRight ? segment.parameterOfB + origin : segment.parameterOfA - origin;

@@ -19,17 +19,6 @@ struct EndValues
   double run;
 };
 
-EndValues endOf(const Window& w, double x)
-{
-  if (w.isLinear())
-  {
-    return { w.distance(x), w.sourceX, 1.0 };
-  }
-  const double dx = x - w.sourceX;
-  const double radius = std::sqrt(dx * dx + w.sourceDepth * w.sourceDepth);
-  return { w.sigma + radius, dx, radius };
-}
-
 /// A window of the list with the values at its ends, each of which is used several times.
 struct MeasuredWindow
 {
@@ -42,7 +31,7 @@ MeasuredWindow measured(Window& w)
 {
   if (w.isLinear())
   {
-    return { &w, endOf(w, w.begin), endOf(w, w.end) };
+    return { &w, { w.distance(w.begin), w.sourceX, 1.0 }, { w.distance(w.end), w.sourceX, 1.0 } };
   }
   const TwoDoubles dx = w.endDirections();
   const TwoDoubles depth(w.sourceDepth);

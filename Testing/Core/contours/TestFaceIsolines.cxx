@@ -279,3 +279,39 @@ TEST(JoinedPieces, OfAClosedLineInOneFaceStayClosedWhereItsLastChordHasHardlyAny
   EXPECT_EQ(joined.lines[0].points.size(), 4U);
   EXPECT_EQ(joined.points.size(), 3U);
 }
+
+// A curve also meets the lines along a region's rays, beyond the region, and those of the face's
+// edges.
+TEST(LevelArrangements, HardlyCutCurvesBesideRegions)
+{
+  const geodesic::Job job;
+  std::size_t compared = 0;
+  std::size_t touching = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed)
+  {
+    Random random(seed);
+    const PlainMesh plain = bumpySheet(5, 5, 0, 0.5, random);
+    const geodesic::TriangleMesh mesh = engineMesh(plain);
+    const geodesic::DistanceField field =
+      solveKeepingAll(mesh, engineCurves(mesh, CurveMaker(plain, random).anySource()));
+    geodesic::LevelArrangement arrangement(job);
+    for (geodesic::Id face = 0; face < mesh.numberOfFaces(); ++face)
+    {
+      const geodesic::FaceDistance distance(field, face);
+      const geodesic::FaceLevel level(
+        distance, distance.distance(distance.inPlane(randomWeights(random))));
+      arrangement.assign(level, false, geodesic::tolerance::CurveOffset);
+      const auto remainders = arrangement.remaindersIn(level.corners);
+      for (std::size_t i = 1; i < remainders.size(); ++i)
+      {
+        if (remainders[i].curve == remainders[i - 1].curve)
+        {
+          ++compared;
+          touching += remainders[i].begin > remainders[i - 1].end ? 0 : 1;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 0U);
+  EXPECT_LE(2 * touching, compared);
+}

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <mutex>
@@ -278,6 +279,73 @@ TEST(PathsOnSeams, OfTargetsOnTheSourceAreTwoEqualPoints)
         EXPECT_EQ(path.places.front(), path.places.back());
         EXPECT_EQ(path.source, 0U);
       });
+  }
+}
+
+// At each edge of three faces the ranks around it are asked anew, whatever those at the last one
+// said.
+TEST(PathsOnSeams, AcrossTwoRowsOfEdgesOfThreeFacesAreFollowedToTheSource)
+{
+  // A sheet with a fin at x = 2 and at x = 4. Each of the five parts goes to a rank of its own
+  // choice.
+  RandomCase c;
+  std::vector<std::size_t> partOf;
+  const auto addCell = [&](const std::array<Index, 4>& corners, std::size_t part)
+  {
+    c.mesh.triangles.push_back({ corners[0], corners[1], corners[2] });
+    c.mesh.triangles.push_back({ corners[0], corners[2], corners[3] });
+    partOf.insert(partOf.end(), 2, part);
+  };
+  for (Index y = 0; y < 4; ++y)
+  {
+    for (Index x = 0; x < 7; ++x)
+    {
+      c.mesh.points.push_back({ 1.0 * x, 1.0 * y, 0.0 });
+    }
+    c.mesh.points.push_back({ 2.0, 1.0 * y, 1.0 });
+    c.mesh.points.push_back({ 4.0, 1.0 * y, 1.0 });
+  }
+  constexpr Index row = 9;
+  for (Index y = 0; y < 3; ++y)
+  {
+    for (Index x = 0; x < 6; ++x)
+    {
+      const Index corner = row * y + x;
+      addCell({ corner, corner + 1, corner + row + 1, corner + row }, x / 2);
+    }
+    for (const Index fin : { 0U, 1U })
+    {
+      const Index foot = row * y + 2 + 2 * fin;
+      const Index top = row * y + 7 + fin;
+      addCell({ foot, foot + row, top + row, top }, 3 + fin);
+    }
+  }
+  const MeshPoint source = { 16, { 0.5, 0.2, 0.3 } }; // in the row of cells in the middle
+  c.curves = { { { { source.face, source.weights, source.weights } }, {} } };
+  c.queries = { { 10, { 0.2, 0.5, 0.3 } }, { 26, { 0.3, 0.4, 0.3 } }, { 43, { 0.1, 0.3, 0.6 } } };
+  for (std::uint64_t seed = 0; seed < 15; ++seed)
+  {
+    Random random(seed);
+    std::array<int, 5> rankOfPart;
+    std::generate(
+      rankOfPart.begin(), rankOfPart.end(), [&]() { return static_cast<int>(random.below(3)); });
+    CutMesh cut{ c.mesh, 3, {} };
+    for (const std::size_t part : partOf)
+    {
+      cut.rankOfFace.push_back(rankOfPart[part]);
+    }
+    const std::vector<FoundPath> paths = pathsOver(c, cut);
+    for (std::size_t i = 0; i < paths.size(); ++i)
+    {
+      EXPECT_FALSE(paths[i].wasLost) << "seed " << seed << ", target " << i;
+      double length = 0.0;
+      for (std::size_t k = 1; k < paths[i].places.size(); ++k)
+      {
+        length += spaceDistance(paths[i].places[k - 1], paths[i].places[k]);
+      }
+      EXPECT_NEAR(
+        length, spaceDistance(position(c.mesh, source), position(c.mesh, c.queries[i])), 1e-12);
+    }
   }
 }
 

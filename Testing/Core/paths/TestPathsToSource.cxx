@@ -61,13 +61,13 @@ struct Worst
   }
 };
 
-/// The share of paths that may be lost. Finding a path again takes two fronts through a strip of
-/// faces, here about 25 times as long as tracing it: one in 200 adds an eighth to the time. Tracing
-/// goes astray by the rounding of long edges, which in thin needles is a large part of the way
-/// across.
+/// The share of paths that may be lost: on the kinds that lose most a tenth more than are. Finding
+/// a path again takes two fronts through a strip of faces, here about 25 times as long as tracing
+/// it: one in 500 adds a twentieth to the time. Tracing goes astray by the rounding of long edges,
+/// which in needles is a large part of the way across.
 std::size_t pathsOfALostOne(const MeshKind& kind)
 {
-  return std::string(kind.name) == KindThatLosesMost ? 50 : 200;
+  return std::string(kind.name).find("Needles") != std::string::npos ? 300 : 500;
 }
 
 /// Checks paths from targets whose true distances are known. The source of each curve is its index.
@@ -257,7 +257,8 @@ TEST_P(PathsToSourceOn, AreSeldomLost)
       lost += path.wasLost ? 1 : 0;
     }
   }
-  EXPECT_LE(lost * pathsOfALostOne(GetParam()), paths);
+  const std::size_t allowed = seeds.first == 0 ? 1 : 2; // other seeds lose others
+  EXPECT_LE(lost * pathsOfALostOne(GetParam()), allowed * paths);
   std::cout << "lost on " << GetParam().name << ": " << lost << " of " << paths << " paths\n";
 }
 #endif

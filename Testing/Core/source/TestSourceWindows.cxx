@@ -230,6 +230,51 @@ TEST(SourceWindows, RaysOfASegmentFromACornerLeaveThroughTheEdgeOnTheirSide)
   }
 }
 
+// Rounding alone decides where the ray at the corner meets such an edge, which is to the right or
+// to the left of the segment.
+TEST(SourceWindows, RaysOfASegmentNearlyAtARightAngleToAnEdgeStayOnTheirSideOfTheCorner)
+{
+  std::size_t leavingOnTheirSide = 0;
+  for (std::uint64_t seed = 0; seed < 2000; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const double sign = random.chance(0.5) ? 1.0 : -1.0;
+    const double length = random.uniform(0.5, 2.0);
+    const geodesic::Vec3 atRightAngle = { sign * length, 0, 0 };
+    const geodesic::Vec3 other = { -sign * random.uniform(0.2, 1.0), random.uniform(0.5, 1.0), 0 };
+    const TriangleMesh mesh({ { 0, 0, 0 }, sign > 0.0 ? atRightAngle : other,
+                              sign > 0.0 ? other : atRightAngle, { 1, -2, 0 }, { -1, -2, 0 } },
+      { { 0, 1, 2 }, { 1, 0, 3 }, { 2, 0, 4 } });
+    const double height = random.uniform(0.1, 0.4);
+    const double lean = random.uniform(-1.0, 1.0) * std::pow(10.0, random.uniform(-15.0, -3.0));
+    const double ofOther = height / other[1];
+    const double ofFirst = (lean - sign * ofOther * other[0]) / length;
+    geodesic::SourceInFace segment;
+    segment.face = 0;
+    segment.a = { 1.0, 0.0, 0.0 };
+    segment.b = { 1.0 - ofFirst - ofOther, ofFirst, ofOther };
+    if (sign < 0.0)
+    {
+      std::swap(segment.b[1], segment.b[2]);
+    }
+    const bool isReversed = random.chance(0.5);
+    if (isReversed)
+    {
+      std::swap(segment.a, segment.b);
+    }
+    std::vector<LeavingWindow> windows;
+    geodesic::addSegmentWindows(mesh, segment, windows);
+    for (const LeavingWindow& leaving : windows)
+    {
+      const bool isRight = leaving.window.origin.isRight() != isReversed;
+      EXPECT_NE(leaving.halfedge, isRight ? 2U : 0U) << leaving.window.width();
+      leavingOnTheirSide += leaving.halfedge == (isRight ? 0U : 2U) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(leavingOnTheirSide, 0U);
+}
+
 TEST(SourceWindows, APointEmitsIntoTheWedgeBetweenTheNormalsOfItsSegments)
 {
   Random random(2);
