@@ -44,7 +44,8 @@ const char* const Usage = R"(Measures geodesic distance fields and prints a JSON
            curve:FILE       from the curves and points of a file
            path:ID,ID       from the polyline along mesh edges between two vertices
   --relative-error E        the largest relative error; 0, exact, is the default
-  --refine T                refine until the interpolant is within this fraction of the diagonal
+  --refine T                refine until the interpolant is within this fraction of the diagonal;
+                            output_cells are the faces made
   --envelope                count the windows of the final lower envelope, too, and divide those
                             propagated by them
   --threads N               threads that VTK may use

@@ -388,17 +388,20 @@ def windows(benchmark, meshes, _):
                 benchmark.run(mesh, "--relative-error", epsilon, against=["dijkstra"])
                 for epsilon in (0, 1e-3, 1e-2)
             ]
+            refined = benchmark.run(mesh, *REFINED)
             made = [run["windows_propagated"] / run["edges"] for run in runs]
             over = [run["solve_s"] / run["dijkstra_s"] for run in runs]
             yield (
                 *(mesh.name, count(final["faces"]), number(final["windows_per_edge"])),
                 *(number(made[0]), number(final["windows_propagated_per_envelope"])),
                 *(number(over[0]), number(made[1]), number(over[1])),
-                *(number(made[2]), number(over[2])),
+                *(number(made[2]), number(over[2]), count(refined["output_cells"])),
+                number(refined["refine_s"] / refined["solve_s"]),
             )
 
     columns = ["mesh", "faces", "windows an edge", "exact: made", "made / windows", "/ D"]
     columns += ["0.1 %: made", "/ D", "1 %: made", "/ D"]
+    columns += ["faces refined", "refinement / solve"]
     print_table("Windows made", columns, rows())
 
 

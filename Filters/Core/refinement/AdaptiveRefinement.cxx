@@ -324,19 +324,26 @@ private:
           worst = std::max(worst, deviation);
         }
       });
-    if (this->overLimit_.empty())
+    const bool isThin = this->triangles_.isThin(leaf);
+    if (isThin)
+    {
+      // smaller errors wait until those of other leaves are as small
+      this->overLimit_.erase(
+        std::remove_if(this->overLimit_.begin(), this->overLimit_.end(),
+          [&](Id edge) { return this->workers_.deviation(edge).largest() < 0.5 * worst; }),
+        this->overLimit_.end());
+    }
+    // where a strip is as wide as its triangles are long, more points would make these thin again
+    if (this->overLimit_.empty() ||
+      (isThin && this->triangles_.pointsOnEdges(leaf) > 0 &&
+        this->triangles_.hasRoundPartAt(leaf, this->overLimit_)))
     {
       this->closure_.splitInside(leaf);
       return;
     }
-    // in a thin leaf, smaller errors wait until those of other leaves are as small
-    const double least = this->triangles_.isThin(leaf) ? 0.5 * worst : 0.0;
     for (const Id edge : this->overLimit_)
     {
-      if (this->workers_.deviation(edge).largest() >= least)
-      {
-        this->closure_.split(edge);
-      }
+      this->closure_.split(edge);
     }
   }
 

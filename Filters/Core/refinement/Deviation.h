@@ -75,33 +75,46 @@ struct Deviation
   }
 };
 
-/// The largest deviations of a distance, given as windows that cover [0, length], from the linear
-/// function between two end values.
+/// The largest deviations of a distance, given as windows that cover a segment, from the linear
+/// function between the values at two of its places.
 inline Deviation largestDeviation(
-  const std::vector<Window>& envelope, double length, double atBegin, double atEnd)
+  const std::vector<Window>& envelope, double from, double to, double atFrom, double atTo)
 {
   Deviation deviation;
+  const double length = to - from;
   if (!(length > 0.0))
   {
     return deviation;
   }
-  const LineOnSegment line(length, atBegin, atEnd);
+  const LineOnSegment line(length, atFrom, atTo);
   const auto look = [&](const Window& w, double x)
   {
-    const double e = w.distance(x) - line.at(x);
-    deviation.widen({ std::max(e, 0.0), x / length, std::max(-e, 0.0), x / length });
+    const double e = w.distance(x) - line.at(x - from);
+    const double at = (x - from) / length;
+    deviation.widen({ std::max(e, 0.0), at, std::max(-e, 0.0), at });
   };
-  for (const Window& w : envelope)
+  auto w = std::partition_point(
+    envelope.begin(), envelope.end(), [from](const Window& before) { return before.end <= from; });
+  for (; w != envelope.end() && w->begin < to; ++w)
   {
-    look(w, w.begin);
-    look(w, w.end);
-    const double lowest = line.lowestOf(w);
-    if (lowest > w.begin && lowest < w.end)
+    const double begin = std::max(w->begin, from);
+    const double end = std::min(w->end, to);
+    look(*w, begin);
+    look(*w, end);
+    const double lowest = line.lowestOf(*w);
+    if (lowest > begin && lowest < end)
     {
-      look(w, lowest);
+      look(*w, lowest);
     }
   }
   return deviation;
+}
+
+/// The same for the whole segment.
+inline Deviation largestDeviation(
+  const std::vector<Window>& envelope, double length, double atBegin, double atEnd)
+{
+  return largestDeviation(envelope, 0.0, length, atBegin, atEnd);
 }
 
 /// Where to split an edge whose largest deviation is at the fraction t: the table of section 6.2.

@@ -18,12 +18,27 @@ namespace
 constexpr double LeastAngle = 0.25;
 constexpr double LeastAngleFraction = 0.6;
 
-// If an edge's deviation exceeds this multiple of the tolerance, the smallest angle may be this (3
+// If an edge's deviation exceeds this multiple of the tolerance, the smallest angle may be this (5
 // degrees): a split exactly where the distance bends saves levels of triangles there. Below the
 // multiple it saves about one level, and most triangles of a refined surface arise there, so their
 // shapes matter most.
 constexpr double WorthThinParts = 2.5;
-constexpr double LeastAngleOfThinParts = 0.05;
+constexpr double LeastAngleOfThinParts = 0.08;
+
+// The triangles of a strip may have this fraction of the input face's smallest angle; ways from a
+// corner grow a little slower than that, as those on both sides of the corner differ.
+constexpr double LeastAngleFractionOfStrips = 0.5;
+constexpr double LeastAngleFactorOfGrowth = 1.05 * LeastAngleFractionOfStrips;
+
+// The triangles of a strip become parts if they have this fraction of it.
+constexpr double LeastAngleFractionOfParts = 0.95;
+
+// Edges between thin leaves are cut for this fraction of the tolerance: the segments across a strip
+// may be longer than the pieces of its edges.
+constexpr double ToleranceOfCuts = 0.95;
+// No part of a split edge is shorter than this fraction of the edge, as in the table of
+// section 6.2.
+constexpr double LeastWeight = 0.25;
 
 double angleBetween(Vec2 a, Vec2 b)
 {
@@ -37,27 +52,31 @@ double leastAngle(Vec2 a, Vec2 b, Vec2 c)
 }
 
 // What to split if a triangle of a strip is too thin; it has a side of the strip's polygon, and an
-// apex on the other side of the strip. If the apex is beside the triangle's side, that side is too
-// long, else the side between them at the apex. No side is split that is not twice as long as
-// another one there, so the shortest of all sides stays the shortest and splitting ends. Returns
-// the number of the side to split, or NoId.
+// apex on the other side of the strip. If the apex is over the triangle's side, the side is too
+// long, or too short if the apex is far; else one of the two sides at the apex is too long. No side
+// is split that is not twice as long as another one there, so the shortest of all sides stays the
+// shortest and splitting ends. Returns the number of the side to split, or NoId.
 Id partToSplit(const std::vector<Vec2>& places, Id begin, Id apex)
 {
   const Id size = static_cast<Id>(places.size());
   const Vec2 side = places[(begin + 1) % size] - places[begin];
-  const double at = dot(places[apex] - places[begin], side);
+  const Vec2 toApex = places[apex] - places[begin];
+  const double at = dot(toApex, side);
   const Id before = (apex + size - 1) % size;
   const double length = norm(side);
   const double lengthBefore = norm(places[apex] - places[before]);
   const double lengthBehind = norm(places[(apex + 1) % size] - places[apex]);
+  const bool isFar = cross(side, toApex) > dot(side, side);
+  const bool mayBefore = at < 0.0 || (isFar && lengthBefore >= lengthBehind);
+  const bool mayBehind = at > dot(side, side) || (isFar && lengthBehind > lengthBefore);
   Id longer = begin;
   double ofLonger = length;
-  if (at < 0.0 && lengthBefore > length)
+  if (mayBefore && lengthBefore > length)
   {
     longer = before;
     ofLonger = lengthBefore;
   }
-  else if (at > dot(side, side) && lengthBehind > length)
+  else if (mayBehind && lengthBehind > length)
   {
     longer = apex;
     ofLonger = lengthBehind;
@@ -73,6 +92,41 @@ RedGreenMesh::Placement DeviationRules::place(Id edge)
   return { weight, this->workers_.first().distances.onEdge(edge, weight) };
 }
 
+bool DeviationRules::isBetweenThinLeaves(Id edge) const
+{
+  bool areThin = true;
+  this->triangles_.forEachLeafAt(
+    edge, [&](Id leaf) { areThin = areThin && this->triangles_.isThin(leaf); });
+  return areThin;
+}
+
+// At a corner with the angle b, let both sides have points whose ways from the corner grow by the
+// factor g. A strip between them has the angle b / (g - 1): over a piece of (g - 1) times the way,
+// it is as wide as the corner there.
+std::array<double, 2> DeviationRules::growthFrom(Id edge) const
+{
+  std::array<double, 2> growth = { Infinity, Infinity };
+  const std::array<Id, 2> ends = this->triangles_.edgeData(edge).ends;
+  this->triangles_.forEachLeafAt(edge,
+    [&](Id leaf)
+    {
+      const Id face = this->triangles_.faceOf(leaf);
+      const Triangle corners = this->triangles_.corners(leaf);
+      const std::array<Vec2, 3> c = this->triangles_.inPlane(corners, face);
+      const double least = LeastAngleFactorOfGrowth * this->leastAngleOf(face);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const double angle = angleBetween(c[(k + 1) % 3] - c[k], c[(k + 2) % 3] - c[k]);
+        const double most = 1.0 + std::max(1.0, angle / least);
+        for (std::size_t i = 0; i < 2; ++i)
+        {
+          growth[i] = corners[k] == ends[i] ? std::min(growth[i], most) : growth[i];
+        }
+      }
+    });
+  return growth;
+}
+
 double DeviationRules::weightOf(Id edge) const
 {
   constexpr double middle = 0.5;
@@ -80,6 +134,12 @@ double DeviationRules::weightOf(Id edge) const
   if (!(deviation.largest() > this->tolerance_))
   {
     return middle;
+  }
+  if (this->isBetweenThinLeaves(edge))
+  {
+    const double weight =
+      this->workers_.bestSplit(edge, ToleranceOfCuts * this->tolerance_, this->growthFrom(edge));
+    return std::clamp(weight, LeastWeight, 1.0 - LeastWeight);
   }
   const double aimed = splitPosition(deviation.at());
   for (const double weight : { aimed, 0.5 * (aimed + middle) })
@@ -129,7 +189,11 @@ double DeviationRules::smallestAngleOfFour(Id triangle, Id splitEdge, double wei
 
 bool DeviationRules::mayClose(Id leaf)
 {
-  const double allowed = this->allowedAngle(leaf);
+  return this->mayClose(leaf, this->allowedAngle(leaf));
+}
+
+bool DeviationRules::mayClose(Id leaf, double allowed) const
+{
   const Id ways = this->triangles_.waysToClose(leaf);
   for (Id way = 0; way < ways; ++way)
   {
@@ -178,6 +242,14 @@ double DeviationRules::smallestAngle(Id leaf, Id way) const
   return least;
 }
 
+bool DeviationRules::isAnyOverTolerance(Id leaf) const
+{
+  bool isAny = false;
+  this->triangles_.forEachPartOfEdges(leaf,
+    [&](Id edge) { isAny = isAny || this->workers_.deviation(edge).largest() > this->tolerance_; });
+  return isAny;
+}
+
 Id DeviationRules::edgeToSplit(Id leaf)
 {
   if (this->triangles_.pointsOnEdges(leaf) == 0)
@@ -190,13 +262,27 @@ Id DeviationRules::edgeToSplit(Id leaf)
     return longest; // no strip runs between the other two
   }
   const Id face = this->triangles_.faceOf(leaf);
-  if (this->mayClose(leaf))
+  const double allowed = LeastAngleFractionOfStrips * this->leastAngleOf(face);
+  if (this->isAnyOverTolerance(leaf) || this->mayClose(leaf, allowed))
   {
     return NoId;
   }
-  const RedGreenMesh::Closing closing = this->triangles_.closing(leaf, 0);
-  const std::vector<Vec2> places = this->triangles_.inPlane(closing, face);
-  const double allowed = LeastAngleFraction * this->leastAngleOf(face);
+  return this->longerPart(leaf, 0, allowed);
+}
+
+Id DeviationRules::edgeToSplitBeforeParts(Id leaf)
+{
+  const Id face = this->triangles_.faceOf(leaf);
+  return this->longerPart(
+    leaf, this->triangles_.wayOf(leaf), LeastAngleFractionOfParts * this->leastAngleOf(face));
+}
+
+// The longer one of two parts of edges at a triangle with an angle under the allowed one; NoId if
+// there is none.
+Id DeviationRules::longerPart(Id leaf, Id way, double allowed) const
+{
+  const RedGreenMesh::Closing closing = this->triangles_.closing(leaf, way);
+  const std::vector<Vec2> places = this->triangles_.inPlane(closing, this->triangles_.faceOf(leaf));
   for (const std::array<Id, 3>& t : closing.triangles)
   {
     if (leastAngle(places[t[0]], places[t[1]], places[t[2]]) >= allowed)

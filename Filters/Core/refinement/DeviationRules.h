@@ -14,11 +14,13 @@ namespace geodesic
 /// to close a triangle are split in the middle.
 ///
 /// A part's angle is too small if it is under 14 degrees and under 0.6 of the input face's smallest
-/// angle; if the edge is far over the tolerance, under 3 degrees.
+/// angle; if the edge is far over the tolerance, under 5 degrees.
 ///
-/// Thin leaves do not restrict where an edge is split. If a triangle of a strip has an angle under
-/// 0.6 of the input face's smallest, points on one side of the strip are much closer than on the
-/// other; then the longer part of an edge there is split, too.
+/// An edge of thin leaves alone is cut where the fewest pieces come out. From a sharp corner on,
+/// these get longer only so fast that the angles of strips do not fall under half the input face's
+/// smallest. If such an angle is smaller nevertheless, when all edges are within the tolerance,
+/// points on one side of the strip are much closer than on the other; then the longer part of an
+/// edge there is split, too.
 class DeviationRules : public SplitRules
 {
 public:
@@ -36,6 +38,8 @@ public:
   bool mayClose(Id leaf) override;
   /// The longer of two parts of edges whose lengths are too different for good shapes.
   Id edgeToSplit(Id leaf) override;
+  /// The same if a part would have a smaller angle than the input face: it may get smaller again.
+  Id edgeToSplitBeforeParts(Id leaf) override;
 
   /// The smallest angle allowed in the parts of a face if an edge with this deviation is split.
   double allowedAngle(Id face, double deviation) const;
@@ -45,7 +49,12 @@ public:
   double smallestAngle(Id leaf, Id way) const;
 
 private:
+  bool mayClose(Id leaf, double allowed) const;
   double weightOf(Id edge) const;
+  bool isBetweenThinLeaves(Id edge) const;
+  std::array<double, 2> growthFrom(Id edge) const;
+  bool isAnyOverTolerance(Id leaf) const;
+  Id longerPart(Id leaf, Id way, double allowed) const;
   double leastAngleOf(Id face) const;
   double smallestAngleOfFour(Id triangle, Id splitEdge, double weight) const;
 

@@ -140,13 +140,21 @@ void RedGreenClosure::splitInside(Id triangle)
   {
     this->splitIntoFour(triangle);
   }
-  else if (this->mesh_.pointsOnEdges(triangle) > 0)
+  else if (this->mesh_.pointsOnEdges(triangle) == 0)
   {
-    this->mesh_.divide(triangle);
+    this->split(this->mesh_.ensureEdge(triangle, this->mesh_.longestEdge(triangle)));
   }
   else
   {
-    this->split(this->mesh_.ensureEdge(triangle, this->mesh_.longestEdge(triangle)));
+    const Id edge = this->rules_.edgeToSplitBeforeParts(triangle);
+    if (edge != NoId)
+    {
+      this->split(edge);
+    }
+    else
+    {
+      this->mesh_.divide(triangle);
+    }
   }
 }
 

@@ -25,6 +25,9 @@ public:
   /// The part of a thin leaf's edges that must be split before the leaf can be closed; NoId if
   /// there is none.
   virtual Id edgeToSplit(Id triangle) = 0;
+  /// The part of a thin leaf's edges to split before the leaf can be divided into the triangles
+  /// that close it; NoId if there is none.
+  virtual Id edgeToSplitBeforeParts(Id triangle) = 0;
 };
 
 /// The loop of splitting and closing: splits edges of a mesh and whatever must be split in

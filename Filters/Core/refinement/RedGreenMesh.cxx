@@ -124,6 +124,23 @@ bool RedGreenMesh::isThin(Id triangle) const
   return red ? red->isThin : areThin(this->inPlane(this->corners(triangle), triangle));
 }
 
+bool RedGreenMesh::hasRoundPartAt(Id triangle, const std::vector<Id>& edges) const
+{
+  const Closing closing = this->closing(triangle, this->wayOf(triangle));
+  const std::vector<Vec2> places = this->inPlane(closing, this->faceOf(triangle));
+  return std::any_of(closing.triangles.begin(), closing.triangles.end(),
+    [&](const std::array<Id, 3>& t)
+    {
+      bool isAt = false;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const Id edge = closing.edgeBetween(t[k], t[(k + 1) % 3]);
+        isAt = isAt || (edge != NoId && std::find(edges.begin(), edges.end(), edge) != edges.end());
+      }
+      return isAt && !areThin({ places[t[0]], places[t[1]], places[t[2]] });
+    });
+}
+
 Id RedGreenMesh::longestEdge(Id triangle) const
 {
   return longestSide(this->inPlane(this->corners(triangle), this->faceOf(triangle)));
@@ -297,8 +314,16 @@ private:
     {
       return false;
     }
-    return squaredNorm(this->places_[a + 1] - this->places_[b]) <=
-      squaredNorm(this->places_[a] - this->places_[b - 1]);
+    return this->cotangentAt(a + 1, a, b) <= this->cotangentAt(b - 1, a, b);
+  }
+
+  // The larger angle opposite the last side gives Delaunay's triangles, whose smallest angle is
+  // the largest.
+  double cotangentAt(Id point, Id a, Id b) const
+  {
+    const Vec2 toA = this->places_[a] - this->places_[point];
+    const Vec2 toB = this->places_[b] - this->places_[point];
+    return dot(toA, toB) / std::abs(cross(toA, toB));
   }
 
   const std::vector<Vec2>& places_;

@@ -145,6 +145,8 @@ public:
   /// Whether a triangle is much longer than high, so that it is never split into four. The four
   /// parts of another triangle are not thin, whatever their shapes.
   bool isThin(Id triangle) const;
+  /// Whether one of the triangles that close a leaf is not thin and has one of these edges.
+  bool hasRoundPartAt(Id triangle, const std::vector<Id>& edges) const;
   /// The corner at which the longest edge of a triangle begins.
   Id longestEdge(Id triangle) const;
   /// The number of a leaf's split edges.
@@ -157,7 +159,7 @@ public:
   /// close it by a strip.
   Id waysToClose(Id triangle) const;
   /// A leaf with an edge that is split twice is closed by a strip between the longest edge, with
-  /// which its polygon begins, and the other two; each triangle has the shorter of two diagonals.
+  /// which its polygon begins, and the other two. Its triangles are Delaunay's.
   Closing closing(Id triangle, Id way) const;
   /// The way in which the output cuts a leaf.
   Id wayOf(Id triangle) const

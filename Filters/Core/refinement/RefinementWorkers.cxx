@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/RefinementWorkers.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace geodesic
 {
 
@@ -29,23 +32,24 @@ double DistancesInFaces::atPoint(Id point, const FaceDistance& face, Vec2 place)
   return face.isExact() ? this->atPoint(point) : face.distance(place);
 }
 
-// In the exact field, one face determines the whole distance along its edge.
-Deviation DistancesInFaces::ofEdge(Id id)
+std::shared_ptr<const DistanceAlongEdge> DistancesInFaces::along(Id id)
 {
   const RedGreenMesh::Edge& edge = this->triangles_.edgeData(id);
-  Deviation largest;
+  const auto distance = std::make_shared<DistanceAlongEdge>();
   bool isKnown = false;
   this->forEachRefinedFace(edge,
     [&](Id around)
     {
       if (!isKnown)
       {
-        const FaceDistance& distance = this->face(around);
-        largest.widen(this->between(edge.ends[0], edge.ends[1], distance));
-        isKnown = distance.isExact();
+        const FaceDistance& inFace = this->face(around);
+        const Vec2 begin = this->triangles_.inPlane(edge.ends[0], around);
+        const Vec2 end = this->triangles_.inPlane(edge.ends[1], around);
+        distance->add(this->envelope_.along(inFace, begin, end), inFace.distance(begin));
+        isKnown = inFace.isExact();
       }
     });
-  return largest;
+  return distance;
 }
 
 Deviation DistancesInFaces::between(Id a, Id b, const FaceDistance& face)
@@ -78,7 +82,43 @@ void RefinementWorkers::resize(std::size_t count)
   }
 }
 
-Deviation RefinementWorkers::deviation(Id edge)
+// A part of an edge whose distance is known shares it.
+void RefinementWorkers::findWhole(Id id)
+{
+  const RedGreenMesh::Edge& data = this->triangles_.edgeData(id);
+  if (data.parent == NoId || !this->edges_[data.parent].distance)
+  {
+    return;
+  }
+  const Edge& whole = this->edges_[data.parent];
+  const double middle =
+    whole.begin + this->triangles_.placementOf(data.parent).weight * (whole.end - whole.begin);
+  const bool isFirst = this->triangles_.edgeData(data.parent).halves == id;
+  Edge& edge = this->edges_[id];
+  edge.distance = whole.distance;
+  edge.begin = isFirst ? whole.begin : middle;
+  edge.end = isFirst ? middle : whole.end;
+  std::copy_if(whole.cuts.begin(), whole.cuts.end(), std::back_inserter(edge.cuts),
+    [&edge](double cut) { return cut > edge.begin && cut < edge.end; });
+}
+
+void RefinementWorkers::measure(Id id, RefinementWorker& worker)
+{
+  const RedGreenMesh::Edge& data = this->triangles_.edgeData(id);
+  Edge& edge = this->edges_[id];
+  if (!edge.distance)
+  {
+    edge.distance = worker.distances.along(id);
+    edge.begin = 0.0;
+    edge.end = norm(this->triangles_.inPlane(data.ends[1], data.face) -
+      this->triangles_.inPlane(data.ends[0], data.face));
+  }
+  const std::array<double, 2> ends = { worker.distances.atPoint(data.ends[0]),
+    worker.distances.atPoint(data.ends[1]) };
+  edge.deviation = edge.distance->deviation(edge.begin, edge.end, this->isExact_ ? &ends : nullptr);
+}
+
+RefinementWorkers::Edge& RefinementWorkers::measured(Id edge)
 {
   if (edge >= this->edges_.size())
   {
@@ -86,9 +126,27 @@ Deviation RefinementWorkers::deviation(Id edge)
   }
   if (!this->edges_[edge].isMeasured)
   {
-    this->edges_[edge] = { this->first().distances.ofEdge(edge), true };
+    this->findWhole(edge);
+    this->measure(edge, this->first());
+    this->edges_[edge].isMeasured = true;
   }
-  return this->edges_[edge].deviation;
+  return this->edges_[edge];
+}
+
+double RefinementWorkers::bestSplit(Id id, double tolerance, const std::array<double, 2>& growth)
+{
+  Edge& edge = this->measured(id);
+  if (edge.cuts.empty())
+  {
+    edge.cuts = edge.distance->cuts(edge.begin, edge.end, tolerance, growth);
+  }
+  double best = edge.cuts.empty() ? 0.5 : Infinity;
+  for (const double cut : edge.cuts)
+  {
+    const double weight = (cut - edge.begin) / (edge.end - edge.begin);
+    best = std::abs(weight - 0.5) < std::abs(best - 0.5) ? weight : best;
+  }
+  return best;
 }
 
 void RefinementWorkers::measure(const std::vector<Id>& edges)
@@ -100,12 +158,12 @@ void RefinementWorkers::measure(const std::vector<Id>& edges)
     if (!this->edges_[edge].isMeasured)
     {
       this->edges_[edge].isMeasured = true; // set early: an edge may occur twice
+      this->findWhole(edge);
       unknown.push_back(edge);
     }
   }
   this->run(unknown.size(),
-    [&](RefinementWorker& worker, std::size_t i)
-    { this->edges_[unknown[i]].deviation = worker.distances.ofEdge(unknown[i]); });
+    [&](RefinementWorker& worker, std::size_t i) { this->measure(unknown[i], worker); });
 }
 
 void RefinementWorkers::forgetNewEdges()

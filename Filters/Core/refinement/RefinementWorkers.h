@@ -6,6 +6,7 @@
 #include "field/FaceDistance.h"
 #include "field/SegmentEnvelope.h"
 #include "refinement/Deviation.h"
+#include "refinement/DistanceAlongEdge.h"
 #include "refinement/RedGreenMesh.h"
 #include "refinement/TriangleError.h"
 
@@ -42,8 +43,9 @@ public:
   /// \param place of the point in the face's plane.
   double atPoint(Id point, const FaceDistance& face, Vec2 place) const;
 
-  /// The largest deviations of an edge in any of its refined faces.
-  Deviation ofEdge(Id edge);
+  /// The distance along an edge in its refined faces: one of them in the exact field, as one face
+  /// determines the whole distance along its edge.
+  std::shared_ptr<const DistanceAlongEdge> along(Id edge);
   /// The largest deviations of the segment between two points of a face.
   Deviation between(Id a, Id b, const FaceDistance& face);
 
@@ -95,6 +97,7 @@ public:
     : field_(field)
     , triangles_(triangles)
     , job_(job)
+    , isExact_(field.relativeErrorBound() == 0.0)
   {
     this->resize(1);
   }
@@ -122,7 +125,11 @@ public:
 
   /// The largest deviations of an edge; measures it if necessary. Several threads may ask for edges
   /// that have been measured.
-  Deviation deviation(Id edge);
+  Deviation deviation(Id edge) { return this->measured(edge).deviation; }
+  /// Where to split an edge so that the fewest pieces within the tolerance come out, as a fraction
+  /// of its length: the cut nearest to the middle (DistanceAlongEdge::cuts). Its parts have the
+  /// other cuts.
+  double bestSplit(Id edge, double tolerance, const std::array<double, 2>& growth);
   /// Measures all edges that have not been measured yet, in parallel.
   void measure(const std::vector<Id>& edges);
   /// Forgets the edges that no longer exist.
@@ -133,13 +140,24 @@ private:
   {
     Deviation deviation;
     bool isMeasured = false;
+    /// The distance along the edge, or along one of which it is a part, and where it begins and
+    /// ends there.
+    std::shared_ptr<const DistanceAlongEdge> distance;
+    double begin = 0.0;
+    double end = 0.0;
+    /// Where it is best cut; empty if that has not been found out.
+    std::vector<double> cuts;
   };
 
   void resize(std::size_t count);
+  void findWhole(Id edge);
+  void measure(Id edge, RefinementWorker& worker);
+  Edge& measured(Id edge);
 
   const DistanceField& field_;
   const RedGreenMesh& triangles_;
   const Job& job_;
+  bool isExact_;
   std::vector<std::unique_ptr<RefinementWorker>> workers_;
   std::vector<Edge> edges_;
 };

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The deviation of a distance from linear, and the table of section 6.2.
+#include "Seeds.h"
 #include "truth/TestMeshes.h"
 
 #include "refinement/Deviation.h"
+#include "refinement/DistanceAlongEdge.h"
 #include "window/WindowList.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 using namespace geodesictest;
 using geodesic::Deviation;
@@ -210,4 +215,80 @@ TEST(Deviation, ExtremumOfACircularWindowIsWhereTheCorrectedFormulaPutsIt)
   EXPECT_NEAR(d.belowAt, q / 4.0, 1e-15);
   EXPECT_NEAR(d.below, std::sqrt(2.0) + a * q - std::hypot(q - 1.0, 1.0), 1e-15);
   EXPECT_NEAR(d.above, 0.0, 1e-15);
+}
+
+namespace
+{
+
+/// How many pieces of sqrt(x^2 + h^2) between two places keep a tolerance. With x = h sinh(u), the
+/// deviation between u and v is h (cosh((v - u) / 2) - 1) / cosh((u + v) / 2).
+std::size_t fewestPieces(double h, double begin, double end, double tolerance)
+{
+  const double last = std::asinh(end / h);
+  double u = std::asinh(begin / h);
+  for (std::size_t pieces = 1;; ++pieces)
+  {
+    const auto fits = [&](double v)
+    { return h * (std::cosh(0.5 * (v - u)) - 1.0) / std::cosh(0.5 * (u + v)) <= tolerance; };
+    if (fits(last))
+    {
+      return pieces;
+    }
+    double low = u;
+    double high = last;
+    for (int i = 0; i < 60; ++i)
+    {
+      const double middle = 0.5 * (low + high);
+      (fits(middle) ? low : high) = middle;
+    }
+    u = low;
+  }
+}
+
+}
+
+TEST(DistanceAlongEdge, CutsAHyperbolaIntoTheFewestPieces)
+{
+  const Seeds seeds = seedsOfTest(300);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const double length = random.uniform(0.1, 10.0);
+    const double h = std::pow(10.0, random.uniform(-2.0, 1.0)) * length;
+    const double source = random.uniform(-1.0, 2.0) * length;
+    const double tolerance = std::pow(10.0, random.uniform(-5.0, -2.0)) * length;
+    geodesic::DistanceAlongEdge distance;
+    distance.add({ { 0.0, length, source, h, 0.0, 0.0, Window::Kind::Circular, 0 } }, 0.0);
+    const std::array<double, 2> anyGrowth = { geodesic::Infinity, geodesic::Infinity };
+    std::vector<double> places = distance.cuts(0.0, length, tolerance, anyGrowth);
+    EXPECT_GE(places.size() + 1, fewestPieces(h, -source, length - source, tolerance));
+    EXPECT_LE(places.size() + 1, fewestPieces(h, -source, length - source, 0.9 * tolerance));
+    places.insert(places.begin(), 0.0);
+    places.push_back(length);
+    for (std::size_t i = 1; i < places.size(); ++i)
+    {
+      ASSERT_LT(places[i - 1], places[i]);
+      EXPECT_LE(distance.deviation(places[i - 1], places[i], nullptr).largest(), 1.01 * tolerance);
+    }
+  }
+}
+
+TEST(DistanceAlongEdge, PiecesFromAnEndGrowByTheFactorAllowed)
+{
+  // far from the source the distance is nearly linear
+  geodesic::DistanceAlongEdge distance;
+  distance.add({ { 0.0, 100.0, 0.0, 0.1, 0.0, 0.0, Window::Kind::Circular, 0 } }, 0.0);
+  for (const double factor : { 2.0, 3.0 })
+  {
+    const std::array<double, 2> growth = { factor, geodesic::Infinity };
+    const std::vector<double> places = distance.cuts(0.0, 100.0, 1e-3, growth);
+    ASSERT_GT(places.size(), 2U);
+    for (std::size_t i = 1; i < places.size(); ++i)
+    {
+      EXPECT_LE(places[i], 1.2 * factor * places[i - 1]);
+    }
+    EXPECT_LE(100.0, 1.2 * factor * places.back());
+    EXPECT_GT(places.size(), distance.cuts(0.0, 100.0, 1e-3, { 100.0, geodesic::Infinity }).size());
+  }
 }

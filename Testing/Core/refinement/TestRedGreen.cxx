@@ -34,6 +34,7 @@ public:
   }
   RedGreenMesh::Placement place(Id) override { return { 0.5, 0.0 }; }
   bool mayClose(Id triangle) override { return this->mayClose_(triangle); }
+  Id edgeToSplitBeforeParts(Id) override { return NoId; }
   Id edgeToSplit(Id triangle) override { return this->edgeToSplit_(triangle); }
   void setEdgeToSplit(std::function<Id(Id)> edgeToSplit)
   {

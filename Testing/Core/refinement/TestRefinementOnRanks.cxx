@@ -339,7 +339,7 @@ TEST_P(RefinementOnRanks, StopsAtAMaximumOfAllRanksTogether)
   Random random(600);
   const Case c = makeCase(random);
   const TriangleMesh whole = engineMesh(c.mesh);
-  Task task = { c.mesh, c.curves, 1e-5 * c.largest };
+  Task task = { c.mesh, c.curves, 1e-6 * c.largest };
   const auto faces = static_cast<std::uint64_t>(whole.numberOfFaces());
   task.maximumFaces = 3 * faces;
   const double inOnePiece =

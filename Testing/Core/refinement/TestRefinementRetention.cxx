@@ -289,13 +289,14 @@ TEST(KeptWindowsOfRandomMeshes, AFaceWithoutWindowsIsClosedBetweenManyPointsOfIt
   std::size_t facesWithMany = 0;
   for (const MeshKind& kind : meshKinds())
   {
-    for (const std::uint64_t seed : { 9110U, 9125U, 9127U, 9132U })
+    for (const std::uint64_t seed : { 9037U, 9110U })
     {
       SCOPED_TRACE(std::string(kind.name) + ", seed " + std::to_string(seed));
       Random random(seed);
       const PlainMesh mesh = kind.make(random.between(50, 400), random);
       CurveMaker maker(mesh, random);
-      const Found found = compare(mesh, maker.anySource(), 0.003, 2000, random);
+      const double fraction = random.chance(0.5) ? 0.0003 : 0.001;
+      const Found found = compare(mesh, maker.anySource(), fraction, 2000, random);
       facesWithMany += found.pointsAroundOne > 3 ? 1 : 0;
     }
   }
