@@ -27,7 +27,7 @@ using geodesic::SurfacePoint;
 namespace
 {
 
-constexpr std::uint64_t MeshesOfAKind = meshesOfAKind(12);
+constexpr std::uint64_t MeshesOfAKind = meshesOfAKind(6);
 constexpr std::size_t NumberOfQueries = 40;
 constexpr std::size_t FeetTried = 6;
 /// Relative to edges of length 1.
