@@ -133,7 +133,7 @@ public:
     : field_(field)
     , options_(options)
     , triangles_(field.surface(), findFrozen(field, options.job), options.trianglesBeside)
-    , workers_(field, this->triangles_, options.job)
+    , workers_(field, this->triangles_, options.tolerance, options.job)
     , rules_(this->triangles_, this->workers_, options.tolerance)
     , closure_(field.surface(), this->triangles_, this->rules_)
     , closings_(this->triangles_, this->workers_, this->rules_, options.tolerance)

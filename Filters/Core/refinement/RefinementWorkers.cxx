@@ -83,39 +83,44 @@ void RefinementWorkers::resize(std::size_t count)
 }
 
 // A part of an edge whose distance is known shares it.
-void RefinementWorkers::findWhole(Id id)
+std::unique_ptr<RefinementWorkers::PartOfEdge> RefinementWorkers::partOf(
+  Id id, RefinementWorker& worker) const
 {
+  auto part = std::make_unique<PartOfEdge>();
   const RedGreenMesh::Edge& data = this->triangles_.edgeData(id);
-  if (data.parent == NoId || !this->edges_[data.parent].distance)
+  const PartOfEdge* whole = data.parent == NoId ? nullptr : this->edges_[data.parent].part.get();
+  if (whole == nullptr)
   {
-    return;
+    part->distance = worker.distances.along(id);
+    part->end = norm(this->triangles_.inPlane(data.ends[1], data.face) -
+      this->triangles_.inPlane(data.ends[0], data.face));
+    return part;
   }
-  const Edge& whole = this->edges_[data.parent];
   const double middle =
-    whole.begin + this->triangles_.placementOf(data.parent).weight * (whole.end - whole.begin);
+    whole->begin + this->triangles_.placementOf(data.parent).weight * (whole->end - whole->begin);
   const bool isFirst = this->triangles_.edgeData(data.parent).halves == id;
-  Edge& edge = this->edges_[id];
-  edge.distance = whole.distance;
-  edge.begin = isFirst ? whole.begin : middle;
-  edge.end = isFirst ? middle : whole.end;
-  std::copy_if(whole.cuts.begin(), whole.cuts.end(), std::back_inserter(edge.cuts),
-    [&edge](double cut) { return cut > edge.begin && cut < edge.end; });
+  part->distance = whole->distance;
+  part->begin = isFirst ? whole->begin : middle;
+  part->end = isFirst ? middle : whole->end;
+  std::copy_if(whole->cuts.begin(), whole->cuts.end(), std::back_inserter(part->cuts),
+    [&part](double cut) { return cut > part->begin && cut < part->end; });
+  return part;
 }
 
+// Most edges are within the tolerance, and few of these are split: their distances are not kept.
 void RefinementWorkers::measure(Id id, RefinementWorker& worker)
 {
   const RedGreenMesh::Edge& data = this->triangles_.edgeData(id);
-  Edge& edge = this->edges_[id];
-  if (!edge.distance)
-  {
-    edge.distance = worker.distances.along(id);
-    edge.begin = 0.0;
-    edge.end = norm(this->triangles_.inPlane(data.ends[1], data.face) -
-      this->triangles_.inPlane(data.ends[0], data.face));
-  }
+  std::unique_ptr<PartOfEdge> part = this->partOf(id, worker);
   const std::array<double, 2> ends = { worker.distances.atPoint(data.ends[0]),
     worker.distances.atPoint(data.ends[1]) };
-  edge.deviation = edge.distance->deviation(edge.begin, edge.end, this->isExact_ ? &ends : nullptr);
+  Edge& edge = this->edges_[id];
+  edge.deviation =
+    part->distance->deviation(part->begin, part->end, this->isExact_ ? &ends : nullptr);
+  if (edge.deviation.largest() > this->tolerance_)
+  {
+    edge.part = std::move(part);
+  }
 }
 
 RefinementWorkers::Edge& RefinementWorkers::measured(Id edge)
@@ -126,7 +131,6 @@ RefinementWorkers::Edge& RefinementWorkers::measured(Id edge)
   }
   if (!this->edges_[edge].isMeasured)
   {
-    this->findWhole(edge);
     this->measure(edge, this->first());
     this->edges_[edge].isMeasured = true;
   }
@@ -136,14 +140,19 @@ RefinementWorkers::Edge& RefinementWorkers::measured(Id edge)
 double RefinementWorkers::bestSplit(Id id, double tolerance, const std::array<double, 2>& growth)
 {
   Edge& edge = this->measured(id);
-  if (edge.cuts.empty())
+  if (!edge.part)
   {
-    edge.cuts = edge.distance->cuts(edge.begin, edge.end, tolerance, growth);
+    edge.part = this->partOf(id, this->first());
   }
-  double best = edge.cuts.empty() ? 0.5 : Infinity;
-  for (const double cut : edge.cuts)
+  PartOfEdge& part = *edge.part;
+  if (part.cuts.empty())
   {
-    const double weight = (cut - edge.begin) / (edge.end - edge.begin);
+    part.cuts = part.distance->cuts(part.begin, part.end, tolerance, growth);
+  }
+  double best = part.cuts.empty() ? 0.5 : Infinity;
+  for (const double cut : part.cuts)
+  {
+    const double weight = (cut - part.begin) / (part.end - part.begin);
     best = std::abs(weight - 0.5) < std::abs(best - 0.5) ? weight : best;
   }
   return best;
@@ -158,7 +167,6 @@ void RefinementWorkers::measure(const std::vector<Id>& edges)
     if (!this->edges_[edge].isMeasured)
     {
       this->edges_[edge].isMeasured = true; // set early: an edge may occur twice
-      this->findWhole(edge);
       unknown.push_back(edge);
     }
   }

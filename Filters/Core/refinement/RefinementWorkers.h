@@ -92,10 +92,13 @@ class RefinementWorkers
 public:
   /// All arguments must outlive this.
   ///
+  /// \param tolerance edges with larger deviations share the distance along them with their parts.
   /// \param job looked at every few items.
-  RefinementWorkers(const DistanceField& field, const RedGreenMesh& triangles, const Job& job)
+  RefinementWorkers(
+    const DistanceField& field, const RedGreenMesh& triangles, double tolerance, const Job& job)
     : field_(field)
     , triangles_(triangles)
+    , tolerance_(tolerance)
     , job_(job)
     , isExact_(field.relativeErrorBound() == 0.0)
   {
@@ -136,26 +139,31 @@ public:
   void forgetNewEdges();
 
 private:
-  struct Edge
+  /// An edge as a part of the one along which its distance has been found, with its ends there.
+  struct PartOfEdge
   {
-    Deviation deviation;
-    bool isMeasured = false;
-    /// The distance along the edge, or along one of which it is a part, and where it begins and
-    /// ends there.
     std::shared_ptr<const DistanceAlongEdge> distance;
     double begin = 0.0;
     double end = 0.0;
     /// Where it is best cut; empty if that has not been found out.
     std::vector<double> cuts;
   };
+  struct Edge
+  {
+    Deviation deviation;
+    bool isMeasured = false;
+    /// Null for an edge within the tolerance.
+    std::unique_ptr<PartOfEdge> part;
+  };
 
   void resize(std::size_t count);
-  void findWhole(Id edge);
+  std::unique_ptr<PartOfEdge> partOf(Id edge, RefinementWorker& worker) const;
   void measure(Id edge, RefinementWorker& worker);
   Edge& measured(Id edge);
 
   const DistanceField& field_;
   const RedGreenMesh& triangles_;
+  double tolerance_;
   const Job& job_;
   bool isExact_;
   std::vector<std::unique_ptr<RefinementWorker>> workers_;
