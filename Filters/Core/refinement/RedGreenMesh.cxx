@@ -270,6 +270,7 @@ public:
     , size_(static_cast<Id>(places.size()))
     , sideEnd_(sideEnd)
     , apex_(apex)
+    , longest_(norm(places[sideEnd] - places[0]))
   {
   }
 
@@ -314,22 +315,43 @@ private:
     {
       return false;
     }
-    return this->cotangentAt(a + 1, a, b) <= this->cotangentAt(b - 1, a, b);
+    return this->isBetter(a + 1, b - 1, a, b);
   }
 
-  // The larger angle opposite the last side gives Delaunay's triangles, whose smallest angle is
-  // the largest.
-  double cotangentAt(Id point, Id a, Id b) const
+  // Whether a triangle on the last side, from a to b, has a better third point than another one.
+  // The larger angle there gives Delaunay's triangles, whose smallest angle is the largest. In a
+  // face without area rounding makes the angles: there the shorter diagonal is better.
+  bool isBetter(Id point, Id other, Id a, Id b) const
+  {
+    const Corner corner = this->cornerAt(point, a, b);
+    const Corner otherCorner = this->cornerAt(other, a, b);
+    if (corner.isFlat || otherCorner.isFlat)
+    {
+      return squaredNorm(this->places_[point] - this->places_[b]) <=
+        squaredNorm(this->places_[other] - this->places_[a]);
+    }
+    return corner.cotangent <= otherCorner.cotangent;
+  }
+
+  struct Corner
+  {
+    double cotangent;
+    bool isFlat;
+  };
+  Corner cornerAt(Id point, Id a, Id b) const
   {
     const Vec2 toA = this->places_[a] - this->places_[point];
     const Vec2 toB = this->places_[b] - this->places_[point];
-    return dot(toA, toB) / std::abs(cross(toA, toB));
+    const double sine = std::abs(cross(toA, toB));
+    const double rounding = tolerance::PlaceRounding * this->longest_;
+    return { dot(toA, toB) / sine, sine <= rounding * (norm(toA) + norm(toB)) };
   }
 
   const std::vector<Vec2>& places_;
   Id size_;
   Id sideEnd_;
   Id apex_;
+  double longest_;
 };
 
 } // anonymous namespace

@@ -330,7 +330,7 @@ TEST(Abort, IsAskedForAtEachSplitOfARefinement)
   const Job stop([](double) { return false; });
   geodesic::RedGreenMesh triangles(
     field.surface(), std::vector<std::uint8_t>(mesh.numberOfFaces(), 0));
-  geodesic::RefinementWorkers workers(field, triangles, stop);
+  geodesic::RefinementWorkers workers(field, triangles, 1.0, stop);
   geodesic::DeviationRules rules(triangles, workers, 1.0);
   EXPECT_THROW(rules.place(triangles.ensureEdge(0, 0)), geodesic::Aborted);
 }

@@ -36,7 +36,7 @@ public:
     , tolerance_(random.uniform(0.005, 0.2))
     , field_(solveKeepingAll(this->mesh_, engineCurves(this->mesh_, randomSource(random))))
     , triangles_(geodesic::MeshPartition(this->mesh_), { 0 })
-    , workers_(this->field_, this->triangles_, this->job_)
+    , workers_(this->field_, this->triangles_, this->tolerance_, this->job_)
     , rules_(this->triangles_, this->workers_, this->tolerance_)
     , closings_(this->triangles_, this->workers_, this->rules_, this->tolerance_)
   {
@@ -200,7 +200,7 @@ TEST(LeafClosings, AWayThatPassesIsTakenEvenIfItsErrorIsNoSmaller)
       solveKeepingAll(mesh, engineCurves(mesh, curves), random.uniform(0.01, 0.1));
     geodesic::RedGreenMesh triangles(
       geodesic::MeshPartition(mesh), std::vector<std::uint8_t>(mesh.numberOfFaces(), 0));
-    geodesic::RefinementWorkers workers(field, triangles, job);
+    geodesic::RefinementWorkers workers(field, triangles, 0.0, job);
     splitAtRandom(triangles, workers, mesh.numberOfFaces(), random);
     for (Id leaf = 0; leaf < mesh.numberOfFaces(); ++leaf)
     {
@@ -267,8 +267,8 @@ TEST(SplitPlaces, OffTheMiddleLeaveTheFacesAroundTheEdgeTheirAngles)
       solveKeepingAll(mesh, engineCurves(mesh, CurveMaker(plain, random).anySource()));
     geodesic::RedGreenMesh triangles(
       geodesic::MeshPartition(mesh), std::vector<std::uint8_t>(mesh.numberOfFaces(), 0));
-    geodesic::RefinementWorkers workers(field, triangles, job);
     const double tolerance = random.uniform(0.005, 0.05);
+    geodesic::RefinementWorkers workers(field, triangles, tolerance, job);
     geodesic::DeviationRules rules(triangles, workers, tolerance);
     for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
     {
@@ -316,7 +316,7 @@ TEST(RefinementWorkers, MeasureAgainWhatIsSplitElsewhereAfterASplitWasTakenBack)
   const auto deviationOfFirstHalf = [&](const std::vector<double>& takenBack)
   {
     geodesic::RedGreenMesh triangles(geodesic::MeshPartition(mesh), { 0 });
-    geodesic::RefinementWorkers workers(field, triangles, job);
+    geodesic::RefinementWorkers workers(field, triangles, 0.0, job);
     const auto firstHalf = [&](double weight)
     {
       const Id edge = triangles.ensureEdge(0, 0);
