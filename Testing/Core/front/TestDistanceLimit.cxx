@@ -499,7 +499,7 @@ public:
     : reach_(reach)
   {
   }
-  double reach() const override { return this->reach_; }
+  double neededDistance() const override { return this->reach_; }
 
 private:
   double reach_;
