@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/RedGreenMesh.h"
 
+#include "Tolerance.h"
 #include "mesh/HalfedgeFrame.h"
 
 #include <algorithm>
@@ -76,11 +77,15 @@ Id longestSide(const std::array<Vec2, 3>& corners)
 // A triangle is thin if its height over the longest side is under this fraction of that side.
 constexpr double ThinHeight = 0.25;
 
+// Triangles without area, with which CAD exports close T-vertices, are not: on one line the sides of
+// a strip's triangles may be as long as theirs, so that splitting would not end.
 bool areThin(const std::array<Vec2, 3>& corners)
 {
   const Id k = longestSide(corners);
   const Vec2 side = corners[(k + 1) % 3] - corners[k];
-  return cross(side, corners[(k + 2) % 3] - corners[k]) < ThinHeight * squaredNorm(side);
+  const double area2 = cross(side, corners[(k + 2) % 3] - corners[k]);
+  const double square = squaredNorm(side);
+  return area2 < ThinHeight * square && area2 > tolerance::PlaceRounding * square;
 }
 
 } // anonymous namespace

@@ -61,15 +61,6 @@ struct Worst
   }
 };
 
-/// The share of paths that may be lost: on the kinds that lose most a tenth more than are. Finding
-/// a path again takes two fronts through a strip of faces, here about 25 times as long as tracing
-/// it: one in 500 adds a twentieth to the time. Tracing goes astray by the rounding of long edges,
-/// which in needles is a large part of the way across.
-std::size_t pathsOfALostOne(const MeshKind& kind)
-{
-  return std::string(kind.name).find("Needles") != std::string::npos ? 300 : 500;
-}
-
 /// Checks paths from targets whose true distances are known. The source of each curve is its index.
 Worst expectPaths(const PlainMesh& mesh, const TriangleMesh& engine,
   const std::vector<geodesic::SourceCurve>& curves, const std::vector<Sources>& sourcesOfCurve,
@@ -238,6 +229,20 @@ TEST_P(PathsToSourceOn, AreAsLongAsTheBruteForceDistanceAndEndOnTheCurveTheyName
 
 // The counts need more meshes than sanitizers run.
 #ifndef GEODESIC_FEW_MESHES
+namespace
+{
+
+/// The share of paths that may be lost: on the kinds that lose most a tenth more than are. Finding
+/// a path again takes two fronts through a strip of faces, here about 25 times as long as tracing
+/// it: one in 500 adds a twentieth to the time. Tracing goes astray by the rounding of long edges,
+/// which in needles is a large part of the way across.
+std::size_t pathsOfALostOne(const MeshKind& kind)
+{
+  return std::string(kind.name).find("Needles") != std::string::npos ? 300 : 500;
+}
+
+} // anonymous namespace
+
 TEST_P(PathsToSourceOn, AreSeldomLost)
 {
   std::size_t paths = 0;
