@@ -33,9 +33,6 @@ constexpr double LeastAngleFactorOfGrowth = 1.05 * LeastAngleFractionOfStrips;
 // The triangles of a strip become parts if they have this fraction of it.
 constexpr double LeastAngleFractionOfParts = 0.95;
 
-// Edges between thin leaves are cut for this fraction of the tolerance: the segments across a strip
-// may be longer than the pieces of its edges.
-constexpr double ToleranceOfCuts = 0.95;
 // No part of a split edge is shorter than this fraction of the edge, as in the table of
 // section 6.2.
 constexpr double LeastWeight = 0.25;
@@ -137,8 +134,7 @@ double DeviationRules::weightOf(Id edge) const
   }
   if (this->isBetweenThinLeaves(edge))
   {
-    const double weight =
-      this->workers_.bestSplit(edge, ToleranceOfCuts * this->tolerance_, this->growthFrom(edge));
+    const double weight = this->workers_.bestSplit(edge, this->growthFrom(edge));
     return std::clamp(weight, LeastWeight, 1.0 - LeastWeight);
   }
   const double aimed = splitPosition(deviation.at());

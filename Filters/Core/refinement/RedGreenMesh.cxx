@@ -77,8 +77,8 @@ Id longestSide(const std::array<Vec2, 3>& corners)
 // A triangle is thin if its height over the longest side is under this fraction of that side.
 constexpr double ThinHeight = 0.25;
 
-// Triangles without area, with which CAD exports close T-vertices, are not: on one line the sides of
-// a strip's triangles may be as long as theirs, so that splitting would not end.
+// Triangles without area, with which CAD exports close T-vertices, are not: on one line the sides
+// of a strip's triangles may be as long as theirs, so that splitting would not end.
 bool areThin(const std::array<Vec2, 3>& corners)
 {
   const Id k = longestSide(corners);

@@ -137,7 +137,7 @@ RefinementWorkers::Edge& RefinementWorkers::measured(Id edge)
   return this->edges_[edge];
 }
 
-double RefinementWorkers::bestSplit(Id id, double tolerance, const std::array<double, 2>& growth)
+double RefinementWorkers::bestSplit(Id id, const std::array<double, 2>& growth)
 {
   Edge& edge = this->measured(id);
   if (!edge.part)
@@ -147,7 +147,7 @@ double RefinementWorkers::bestSplit(Id id, double tolerance, const std::array<do
   PartOfEdge& part = *edge.part;
   if (part.cuts.empty())
   {
-    part.cuts = part.distance->cuts(part.begin, part.end, tolerance, growth);
+    part.cuts = part.distance->cuts(part.begin, part.end, this->tolerance_, growth);
   }
   double best = part.cuts.empty() ? 0.5 : Infinity;
   for (const double cut : part.cuts)

@@ -92,7 +92,7 @@ class RefinementWorkers
 public:
   /// All arguments must outlive this.
   ///
-  /// \param tolerance edges with larger deviations share the distance along them with their parts.
+  /// \param tolerance an edge with a larger deviation shares the distance along it with its parts.
   /// \param job looked at every few items.
   RefinementWorkers(
     const DistanceField& field, const RedGreenMesh& triangles, double tolerance, const Job& job)
@@ -132,7 +132,7 @@ public:
   /// Where to split an edge so that the fewest pieces within the tolerance come out, as a fraction
   /// of its length: the cut nearest to the middle (DistanceAlongEdge::cuts). Its parts have the
   /// other cuts.
-  double bestSplit(Id edge, double tolerance, const std::array<double, 2>& growth);
+  double bestSplit(Id edge, const std::array<double, 2>& growth);
   /// Measures all edges that have not been measured yet, in parallel.
   void measure(const std::vector<Id>& edges);
   /// Forgets the edges that no longer exist.
