@@ -18,12 +18,12 @@ namespace
 constexpr double LeastAngle = 0.25;
 constexpr double LeastAngleFraction = 0.6;
 
-// If an edge's deviation exceeds this multiple of the tolerance, the smallest angle may be this (5
+// If an edge's deviation exceeds this multiple of the tolerance, the smallest angle may be this (4
 // degrees): a split exactly where the distance bends saves levels of triangles there. Below the
 // multiple it saves about one level, and most triangles of a refined surface arise there, so their
 // shapes matter most.
 constexpr double WorthThinParts = 2.5;
-constexpr double LeastAngleOfThinParts = 0.08;
+constexpr double LeastAngleOfThinParts = 0.07;
 
 // The triangles of a strip may have this fraction of the input face's smallest angle; ways from a
 // corner grow a little slower than that, as those on both sides of the corner differ.

@@ -14,7 +14,7 @@ namespace geodesic
 /// to close a triangle are split in the middle.
 ///
 /// A part's angle is too small if it is under 14 degrees and under 0.6 of the input face's smallest
-/// angle; if the edge is far over the tolerance, under 5 degrees.
+/// angle; if the edge is far over the tolerance, under 4 degrees.
 ///
 /// An edge of thin leaves alone is cut where the fewest pieces come out. From a sharp corner on,
 /// these get longer only so fast that the angles of strips do not fall under half the input face's
