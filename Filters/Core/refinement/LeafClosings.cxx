@@ -70,14 +70,12 @@ double LeafClosings::tightBound(Id leaf)
 
 LeafClosings::Check LeafClosings::check(RefinementWorker& worker, Id leaf, Id way, bool tight) const
 {
-  const FaceDistance& face = worker.distances.face(this->triangles_.faceOf(leaf));
-  const RedGreenMesh::Closing closing = this->triangles_.closing(leaf, way);
   Check worst;
   worst.way = way;
   if (this->triangles_.isThin(leaf) && !tight)
   {
     // If the edges need more points, the triangles between them have yet to be found.
-    worst.sample = this->worstPartOfEdges(closing);
+    worst.sample = this->worstPartOfEdges(leaf);
     if (worst.sample > this->tolerance_)
     {
       worst.passed = false;
@@ -85,6 +83,8 @@ LeafClosings::Check LeafClosings::check(RefinementWorker& worker, Id leaf, Id wa
       return worst;
     }
   }
+  const FaceDistance& face = worker.distances.face(this->triangles_.faceOf(leaf));
+  const RedGreenMesh::Closing closing = this->triangles_.closing(leaf, way);
   Across across;
   for (const std::array<Id, 3>& triangle : closing.triangles)
   {
@@ -97,13 +97,11 @@ LeafClosings::Check LeafClosings::check(RefinementWorker& worker, Id leaf, Id wa
   return worst;
 }
 
-double LeafClosings::worstPartOfEdges(const RedGreenMesh::Closing& closing) const
+double LeafClosings::worstPartOfEdges(Id leaf) const
 {
   double worst = 0.0;
-  for (const Id edge : closing.edges)
-  {
-    worst = std::max(worst, this->workers_.deviation(edge).largest());
-  }
+  this->triangles_.forEachPartOfEdges(leaf,
+    [&](Id edge) { worst = std::max(worst, this->workers_.deviation(edge).largest()); });
   return worst;
 }
 

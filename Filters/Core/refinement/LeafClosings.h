@@ -63,7 +63,7 @@ private:
   Check checkTriangle(RefinementWorker& worker, const FaceDistance& face,
     const RedGreenMesh::Closing& closing, const std::array<Id, 3>& t, Across& across,
     bool tight) const;
-  double worstPartOfEdges(const RedGreenMesh::Closing& closing) const;
+  double worstPartOfEdges(Id leaf) const;
   void measureEdges(const std::vector<Id>& leaves);
   Check findBest(RefinementWorker& worker, Id leaf) const;
 
