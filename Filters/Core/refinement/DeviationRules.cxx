@@ -92,7 +92,7 @@ RedGreenMesh::Placement DeviationRules::place(Id edge)
 bool DeviationRules::isBetweenThinLeaves(Id edge) const
 {
   bool areThin = true;
-  this->triangles_.forEachLeafAt(
+  this->triangles_.forEachLeafAround(
     edge, [&](Id leaf) { areThin = areThin && this->triangles_.isThin(leaf); });
   return areThin;
 }
