@@ -336,14 +336,30 @@ private:
     // where a strip is as wide as its triangles are long, more points would make these thin again
     if (this->overLimit_.empty() ||
       (isThin && this->triangles_.pointsOnEdges(leaf) > 0 &&
-        this->triangles_.hasRoundPartAt(leaf, this->overLimit_)))
+        this->triangles_.isAnyAsShortAsWide(leaf, this->overLimit_)))
     {
       this->closure_.splitInside(leaf);
       return;
     }
     for (const Id edge : this->overLimit_)
     {
-      this->closure_.split(edge);
+      this->split(edge);
+    }
+  }
+
+  /// Splits an edge, and its halves as long as they certainly must be.
+  void split(Id edge)
+  {
+    if (this->closure_.split(edge))
+    {
+      const Id halves = this->triangles_.edgeData(edge).halves;
+      for (const Id half : { halves, halves + 1 })
+      {
+        if (this->rules_.mustSplit(half))
+        {
+          this->split(half);
+        }
+      }
     }
   }
 

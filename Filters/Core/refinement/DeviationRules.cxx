@@ -97,6 +97,18 @@ bool DeviationRules::isBetweenThinLeaves(Id edge) const
   return areThin;
 }
 
+bool DeviationRules::mustSplit(Id part) const
+{
+  const RedGreenMesh::Edge& edge = this->triangles_.edgeData(part);
+  const double length = norm(this->triangles_.inPlane(edge.ends[1], edge.face) -
+    this->triangles_.inPlane(edge.ends[0], edge.face));
+  bool must = this->workers_.deviation(part).largest() > this->tolerance_;
+  this->triangles_.forEachLeafAround(part,
+    [&](Id leaf)
+    { must = must && this->triangles_.isThin(leaf) && length > this->triangles_.height(leaf); });
+  return must;
+}
+
 // At a corner with the angle b, let both sides have points whose ways from the corner grow by the
 // factor g. A strip between them has the angle b / (g - 1): over a piece of (g - 1) times the way,
 // it is as wide as the corner there.

@@ -48,6 +48,10 @@ public:
   /// The smallest angle of the triangles that close a leaf in one of the ways.
   double smallestAngle(Id leaf, Id way) const;
 
+  /// Whether a new part of an edge must be split whatever the triangles at it look like: it is over
+  /// the tolerance, and longer than these are high, which are thin.
+  bool mustSplit(Id part) const;
+
 private:
   bool mayClose(Id leaf, double allowed) const;
   double weightOf(Id edge) const;

@@ -100,8 +100,8 @@ LeafClosings::Check LeafClosings::check(RefinementWorker& worker, Id leaf, Id wa
 double LeafClosings::worstPartOfEdges(Id leaf) const
 {
   double worst = 0.0;
-  this->triangles_.forEachPartOfEdges(leaf,
-    [&](Id edge) { worst = std::max(worst, this->workers_.deviation(edge).largest()); });
+  this->triangles_.forEachPartOfEdges(
+    leaf, [&](Id edge) { worst = std::max(worst, this->workers_.deviation(edge).largest()); });
   return worst;
 }
 

@@ -74,6 +74,16 @@ Id longestSide(const std::array<Vec2, 3>& corners)
   return longest;
 }
 
+Id shortestSide(const std::array<Vec2, 3>& corners)
+{
+  std::array<double, 3> lengths2;
+  for (Id k = 0; k < 3; ++k)
+  {
+    lengths2[k] = squaredNorm(corners[(k + 1) % 3] - corners[k]);
+  }
+  return static_cast<Id>(std::min_element(lengths2.begin(), lengths2.end()) - lengths2.begin());
+}
+
 // A triangle is thin if its height over the longest side is under this fraction of that side.
 constexpr double ThinHeight = 0.25;
 
@@ -129,26 +139,39 @@ bool RedGreenMesh::isThin(Id triangle) const
   return red ? red->isThin : areThin(this->inPlane(this->corners(triangle), triangle));
 }
 
-bool RedGreenMesh::hasRoundPartAt(Id triangle, const std::vector<Id>& edges) const
+bool RedGreenMesh::isAnyAsShortAsWide(Id triangle, const std::vector<Id>& edges) const
 {
   const Closing closing = this->closing(triangle, this->wayOf(triangle));
   const std::vector<Vec2> places = this->inPlane(closing, this->faceOf(triangle));
   return std::any_of(closing.triangles.begin(), closing.triangles.end(),
     [&](const std::array<Id, 3>& t)
     {
-      bool isAt = false;
-      for (std::size_t k = 0; k < 3; ++k)
+      const std::array<Vec2, 3> corners = { places[t[0]], places[t[1]], places[t[2]] };
+      const Id shortest = shortestSide(corners);
+      for (Id k = 0; k < 3; ++k)
       {
         const Id edge = closing.edgeBetween(t[k], t[(k + 1) % 3]);
-        isAt = isAt || (edge != NoId && std::find(edges.begin(), edges.end(), edge) != edges.end());
+        if (edge != NoId && std::find(edges.begin(), edges.end(), edge) != edges.end() &&
+          (k == shortest || !areThin(corners)))
+        {
+          return true;
+        }
       }
-      return isAt && !areThin({ places[t[0]], places[t[1]], places[t[2]] });
+      return false;
     });
 }
 
 Id RedGreenMesh::longestEdge(Id triangle) const
 {
   return longestSide(this->inPlane(this->corners(triangle), this->faceOf(triangle)));
+}
+
+double RedGreenMesh::height(Id triangle) const
+{
+  const std::array<Vec2, 3> p = this->inPlane(this->corners(triangle), this->faceOf(triangle));
+  const Id k = longestSide(p);
+  const Vec2 side = p[(k + 1) % 3] - p[k];
+  return cross(side, p[(k + 2) % 3] - p[k]) / norm(side);
 }
 
 Id RedGreenMesh::pointsOnEdges(Id triangle) const

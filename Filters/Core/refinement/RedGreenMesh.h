@@ -145,10 +145,13 @@ public:
   /// Whether a triangle is much longer than high, so that it is never split into four. The four
   /// parts of another triangle are not thin, whatever their shapes.
   bool isThin(Id triangle) const;
-  /// Whether one of the triangles that close a leaf is not thin and has one of these edges.
-  bool hasRoundPartAt(Id triangle, const std::vector<Id>& edges) const;
+  /// Whether one of these parts of a leaf's edges is about as short as the strip there is wide: its
+  /// triangle, of those that close the leaf, is not thin, or the part is the shortest side.
+  bool isAnyAsShortAsWide(Id triangle, const std::vector<Id>& edges) const;
   /// The corner at which the longest edge of a triangle begins.
   Id longestEdge(Id triangle) const;
+  /// The height of a triangle over its longest edge.
+  double height(Id triangle) const;
   /// The number of a leaf's split edges.
   Id splitEdges(Id triangle) const;
   /// The number of points on a leaf's edges.
