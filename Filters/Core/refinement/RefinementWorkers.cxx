@@ -133,8 +133,25 @@ RefinementWorkers::Edge& RefinementWorkers::measured(Id edge)
   {
     this->measure(edge, this->first());
     this->edges_[edge].isMeasured = true;
+    this->releaseWholeOf(edge);
   }
   return this->edges_[edge];
+}
+
+// Both halves of an edge have what they need of it.
+void RefinementWorkers::releaseWholeOf(Id part)
+{
+  const Id whole = this->triangles_.edgeData(part).parent;
+  if (whole == NoId)
+  {
+    return;
+  }
+  const Id halves = this->triangles_.edgeData(whole).halves;
+  if (halves + 1 < this->edges_.size() && this->edges_[halves].isMeasured &&
+    this->edges_[halves + 1].isMeasured)
+  {
+    this->edges_[whole].part.reset();
+  }
 }
 
 double RefinementWorkers::bestSplit(Id id, const std::array<double, 2>& growth)
@@ -170,8 +187,29 @@ void RefinementWorkers::measure(const std::vector<Id>& edges)
       unknown.push_back(edge);
     }
   }
+  std::sort(unknown.begin(), unknown.end());
+  // an edge that another rank has split is measured with its parts, which wait for it
+  const auto waits = [&](Id edge)
+  {
+    return std::binary_search(
+      unknown.begin(), unknown.end(), this->triangles_.edgeData(edge).parent);
+  };
   this->run(unknown.size(),
-    [&](RefinementWorker& worker, std::size_t i) { this->measure(unknown[i], worker); });
+    [&](RefinementWorker& worker, std::size_t i)
+    {
+      if (!waits(unknown[i]))
+      {
+        this->measure(unknown[i], worker);
+      }
+    });
+  for (const Id edge : unknown)
+  {
+    if (waits(edge))
+    {
+      this->measure(edge, this->first());
+    }
+  }
+  std::for_each(unknown.begin(), unknown.end(), [this](Id edge) { this->releaseWholeOf(edge); });
 }
 
 void RefinementWorkers::forgetNewEdges()

@@ -152,7 +152,7 @@ private:
   {
     Deviation deviation;
     bool isMeasured = false;
-    /// Null for an edge within the tolerance.
+    /// Null for an edge within the tolerance, or one whose halves have been measured.
     std::unique_ptr<PartOfEdge> part;
   };
 
@@ -160,6 +160,7 @@ private:
   std::unique_ptr<PartOfEdge> partOf(Id edge, RefinementWorker& worker) const;
   void measure(Id edge, RefinementWorker& worker);
   Edge& measured(Id edge);
+  void releaseWholeOf(Id part);
 
   const DistanceField& field_;
   const RedGreenMesh& triangles_;
