@@ -404,8 +404,8 @@ private:
   {
     SegmentEnvelope envelope;
     std::vector<SegmentCrossing> crossings;
-    findCrossings(
-      envelope.along(this->level.face, a, b), this->level.value, aIsBelow, bIsBelow, crossings);
+    envelope.findCrossings(
+      this->level.face, a, b, this->level.value, aIsBelow, bIsBelow, crossings);
     const double length = norm(b - a);
     std::vector<OutlinePoint> points;
     for (const SegmentCrossing& crossing : crossings)
