@@ -191,8 +191,12 @@ constexpr double LargerCurveOffset = 40.0 * CurveOffset;
 /// tangent, their meeting point is known only to the root of the rounding.
 constexpr double IsolineGap = 1e-9;
 
-/// The largest difference of distance and value between such ends, as a fraction of the value and
-/// the face: the rounding of every unfolding on the way.
+/// Level curves of neighbours may overlap by IsolineGap where they meet, but by no more than this
+/// fraction of a curve: in faces that are hardly higher than the gap, curves are as short.
+constexpr double CurveEndShare = 1e-3;
+
+/// The largest difference of distance and value between two ends that meet, as a fraction of the
+/// value and the face: the rounding of every unfolding on the way.
 constexpr double IsolineValue = Tie;
 
 /// Rays that meet their halfedge at a smaller angle (about the root of the rounding) run along it:

@@ -20,14 +20,25 @@ using Remainder = LevelArrangement::Remainder;
 
 constexpr std::size_t None = static_cast<std::size_t>(-1);
 
-// The largest angle of a chord, so that a circle looks like one.
+// The largest angle of a chord, so that a circle looks like one, and the tangent of its half.
 constexpr double LargestStep = Pi / 6.0;
+constexpr double TangentOfHalfStep = 0.2679491924311227; // 2 - sqrt(3)
 
 // How often a face may be cut in four. Smaller parts, of a millionth of its size, are crossed
 // straight.
 constexpr int MaximumDepth = 20;
 // And into how many parts in all. Rounding decides at few points.
 constexpr std::size_t MaximumParts = 4096;
+
+/// The distance of an arc from its chord.
+///
+/// \param halfTangent the tangent of half the arc's angle.
+double sagittaOf(double radius, double halfTangent)
+{
+  const double squared = halfTangent * halfTangent;
+  const double root = std::sqrt(1.0 + squared);
+  return radius * squared / (root * (1.0 + root));
+}
 
 // The angle of a chord within the tolerance. Points are at the value only up to a tie, so that no
 // chord need be nearer to its arc.
@@ -110,6 +121,7 @@ private:
   {
     // The gap between two loose ends, and their numbers.
     std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
+    pairs.reserve(2 * this->from_.size());
     for (std::size_t i = 0; i < this->from_.size(); ++i)
     {
       this->job_.look();
@@ -171,27 +183,38 @@ struct LinePoint
 };
 using Line = std::vector<LinePoint>;
 
-// Adds the points of a remainder to its end. No chord is farther from an arc than the tolerance.
+// Adds the points of an arc between its ends. No chord is farther from it than the tolerance. Most
+// arcs are one chord.
+void followArc(const Remainder& arc, double chordTolerance, Line& line)
+{
+  const double radius = arc.curve->radius;
+  const double halfTangent = (arc.end - arc.begin) / (1.0 + arc.end * arc.begin);
+  line.back().sagitta = sagittaOf(radius, halfTangent);
+  if (line.back().sagitta <= chordTolerance && halfTangent <= TangentOfHalfStep)
+  {
+    return;
+  }
+  const double first = 2.0 * polarAngle({ 1.0, arc.begin });
+  const double angle = 2.0 * polarAngle({ 1.0, halfTangent });
+  const double chords = std::max(1.0, std::ceil(angle / angleOfChord(radius, chordTolerance)));
+  const double sagitta = sagittaOf(radius, tangent(0.5 * angle / chords));
+  line.back().sagitta = sagitta;
+  const auto count = static_cast<std::size_t>(chords);
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    const double parameter = tangent(0.5 * (first + static_cast<double>(i) / chords * angle));
+    line.push_back({ arc.curve->at(parameter), NoId, sagitta });
+  }
+}
+
+// Adds the points of a remainder to its end.
 void follow(const Remainder& remainder, double chordTolerance, Line& line)
 {
-  const LevelCurve& curve = *remainder.curve;
-  if (curve.isArc)
+  if (remainder.curve->isArc)
   {
-    const double first = 2.0 * polarAngle({ 1.0, remainder.begin });
-    const double angle = 2.0 * polarAngle({ 1.0, remainder.end }) - first;
-    const double chords =
-      std::max(1.0, std::ceil(angle / angleOfChord(curve.radius, chordTolerance)));
-    const double sine = unitVector(0.25 * angle / chords).y;
-    const double sagitta = 2.0 * curve.radius * sine * sine;
-    line.back().sagitta = sagitta;
-    const auto count = static_cast<std::size_t>(chords);
-    for (std::size_t i = 1; i < count; ++i)
-    {
-      const double parameter = tangent(0.5 * (first + static_cast<double>(i) / chords * angle));
-      line.push_back({ curve.at(parameter), NoId, sagitta });
-    }
+    followArc(remainder, chordTolerance, line);
   }
-  line.push_back({ curve.at(remainder.end) });
+  line.push_back({ remainder.curve->at(remainder.end) });
 }
 
 /// The end of the longest chord from a point that is near enough to all of the line below it.
@@ -404,8 +427,8 @@ private:
   {
     SegmentEnvelope envelope;
     std::vector<SegmentCrossing> crossings;
-    findCrossings(
-      envelope.along(this->level.face, a, b), this->level.value, aIsBelow, bIsBelow, crossings);
+    envelope.findCrossings(
+      this->level.face, a, b, this->level.value, aIsBelow, bIsBelow, crossings);
     const double length = norm(b - a);
     std::vector<OutlinePoint> points;
     for (const SegmentCrossing& crossing : crossings)

@@ -143,8 +143,25 @@ private:
         throw Error("Isolines were asked for in face " + std::to_string(face) +
           ", whose windows the solve did not keep.");
       }
-      this->faces_.push_back(face);
+      if (this->isReached(face))
+      {
+        this->faces_.push_back(face);
+      }
     }
+  }
+
+  /// Whether a path comes to the face. The range of a face beyond the front holds the largest
+  /// value, as far as its corners tell.
+  bool isReached(Id face) const
+  {
+    const auto halfedges = TriangleMesh::halfedgesOf(face);
+    return !this->field_.sourcesIn(face).empty() ||
+      std::any_of(halfedges.begin(), halfedges.end(),
+        [this](Id halfedge)
+        {
+          return this->field_.vertexDistances()[this->mesh_.origin(halfedge)] < Infinity ||
+            !this->field_.windowsOn(halfedge).empty();
+        });
   }
 
   bool isBelow(Id vertex, std::size_t value) const
@@ -182,18 +199,20 @@ private:
   std::vector<EdgePoint> edgePointsOf(std::size_t first, std::size_t last, const Job& job) const
   {
     std::vector<EdgePoint> points;
-    SegmentEnvelope memory;
+    SegmentEnvelope envelope;
+    std::vector<DistanceCandidate> memory;
     for (std::size_t i = first; i < last; ++i)
     {
       job.look();
-      this->addEdgePoints(this->faces_[i], memory, points);
+      this->addEdgePoints(this->faces_[i], envelope, memory, points);
     }
     return points;
   }
 
   /// Computes the points of those edges that are named by a halfedge of the face. Where the
   /// distance has a value on an edge, the ranges of all faces at the edge hold it.
-  void addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePoint>& points) const
+  void addEdgePoints(Id face, SegmentEnvelope& envelope, std::vector<DistanceCandidate>& memory,
+    std::vector<EdgePoint>& points) const
   {
     std::optional<FaceDistance> distance;
     const bool hasSource = !this->field_.sourcesIn(face).empty();
@@ -213,17 +232,16 @@ private:
       }
       if (!distance)
       {
-        distance.emplace(this->field_, face);
+        distance.emplace(this->field_, face, std::move(memory));
       }
       const std::size_t k = TriangleMesh::indexInFace(halfedge);
       const Vec2 p = distance->inPlane(cornerWeights(k));
       const Vec2 q = distance->inPlane(cornerWeights((k + 1) % 3));
-      const std::vector<Window>& envelope = memory.along(*distance, p, q);
       const PlaneLine line = { p, length > 0.0 ? (1.0 / length) * (q - p) : Vec2{} };
       for (std::size_t value = first; value < last; ++value)
       {
         crossings.clear();
-        findCrossings(envelope, this->levels_[value], this->isBelow(ends[0], value),
+        envelope.findCrossings(*distance, p, q, this->levels_[value], this->isBelow(ends[0], value),
           this->isBelow(ends[1], value), crossings);
         for (const SegmentCrossing& crossing : crossings)
         {
@@ -233,6 +251,10 @@ private:
           points.push_back({ halfedge, static_cast<Id>(value), fraction, crossing.rises });
         }
       }
+    }
+    if (distance)
+    {
+      memory = distance->releaseMemory();
     }
   }
 

@@ -20,29 +20,17 @@ PlaneBox boxAround(const std::array<Vec2, 3>& corners, double size)
     { highX + tolerance::PlaneBoxRoom * size, highY + tolerance::PlaneBoxRoom * size } };
 }
 
-/// Around a part of a curve.
-PlaneBox boxAround(const LevelCurve& curve, double begin, double end, double room)
+/// The lines along a triangle's edges; an edge without length has no direction.
+std::array<PlaneLine, 3> edgesOf(const std::array<Vec2, 3>& corners)
 {
-  const Vec2 a = curve.at(begin);
-  const Vec2 b = curve.at(end);
-  // An upper bound of the part's length. An arc is not farther from its chord than this, nor than
-  // its own length.
-  const double way = (end - begin) * (curve.isArc ? 2.0 * curve.radius : 1.0);
-  const double aside = room + (curve.isArc ? std::min(way, 0.125 * way * way / curve.radius) : 0.0);
-  return { { std::min(a.x, b.x) - aside, std::min(a.y, b.y) - aside },
-    { std::max(a.x, b.x) + aside, std::max(a.y, b.y) + aside } };
-}
-
-bool isInside(const std::array<Vec2, 3>& corners, Vec2 p)
-{
+  std::array<PlaneLine, 3> edges;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    if (cross(corners[(k + 1) % 3] - corners[k], p - corners[k]) < 0.0)
-    {
-      return false;
-    }
+    const Vec2 edge = corners[(k + 1) % 3] - corners[k];
+    const double length = norm(edge);
+    edges[k] = { corners[k], length > 0.0 ? (1.0 / length) * edge : Vec2{} };
   }
-  return true;
+  return edges;
 }
 
 } // anonymous namespace
@@ -78,6 +66,24 @@ void LevelArrangement::assign(const FaceLevel& level, bool withBent, double offs
       this->addRegion({ Kind::Cone, c.atEnd, c.end, {}, {}, 0.0, 0.0 }, offset);
     }
   }
+  this->findExtents();
+}
+
+// Most pencils are parallel, or nearly: across their rays, each region is near few others.
+void LevelArrangement::findExtents()
+{
+  Vec2 direction{};
+  for (const LevelRegion& region : this->regions_)
+  {
+    direction = direction + region.direction();
+  }
+  const double length = norm(direction);
+  this->axis_ = length > 0.0 ? (1.0 / length) * leftOf(direction) : Vec2{ 1.0, 0.0 };
+  this->extents_.clear();
+  for (const LevelRegion& region : this->regions_)
+  {
+    this->extents_.push_back(region.alongAxis(this->axis_, this->level_->size));
+  }
 }
 
 void LevelArrangement::addRegion(const DistanceCandidate& candidate, double offset)
@@ -86,11 +92,16 @@ void LevelArrangement::addRegion(const DistanceCandidate& candidate, double offs
   const double offsetScale = this->level_->value +
     std::min(this->level_->size, tolerance::OffsetFaceInValues * this->level_->value);
   const double value = this->level_->value - static_cast<double>(number) * offset * offsetScale;
-  const LevelRegion region(candidate, number, value, tolerance::PencilMargin * this->level_->size);
+  this->regions_.emplace_back(
+    candidate, number, value, tolerance::PencilMargin * this->level_->size);
+  const LevelRegion& region = this->regions_.back();
   if (region.hasPointsBefore(value) && !region.misses(this->level_->box))
   {
     region.addCurves(this->level_->box, this->curves_);
-    this->regions_.push_back(region);
+  }
+  else
+  {
+    this->regions_.pop_back();
   }
 }
 
@@ -107,43 +118,48 @@ bool LevelArrangement::isWithinOneRegion(const std::array<Vec2, 3>& corners) con
 std::vector<LevelArrangement::Remainder> LevelArrangement::remaindersIn(
   const std::array<Vec2, 3>& corners)
 {
+  const std::array<PlaneLine, 3> edges = edgesOf(corners);
   std::vector<Remainder> remainders;
   for (const LevelCurve& curve : this->curves_)
   {
-    this->cut(curve, corners, remainders);
+    this->cut(curve, edges, remainders);
   }
+  remainders.erase(std::remove_if(remainders.begin(), remainders.end(),
+                     [this](const Remainder& r) { return this->isScrap(r); }),
+    remainders.end());
   return remainders;
 }
 
 // Cuts a curve first to where it lies in the triangle, then by the regions that come near.
-void LevelArrangement::cut(
-  const LevelCurve& curve, const std::array<Vec2, 3>& corners, std::vector<Remainder>& remainders)
+void LevelArrangement::cut(const LevelCurve& curve, const std::array<PlaneLine, 3>& edges,
+  std::vector<Remainder>& remainders)
 {
   this->atEdges_.clear();
-  const PlaneBox box = boxAround(curve, 0.0, curve.extent, this->level_->gap);
+  const CurvePart whole(curve, 0.0, curve.extent, this->level_->gap);
   bool isWithin = true;
-  for (std::size_t k = 0; k < 3; ++k)
+  for (const PlaneLine& edge : edges)
   {
-    const Vec2 begin = corners[k];
-    const Vec2 edge = corners[(k + 1) % 3] - begin;
-    const PlaneLine line = { begin, edge };
-    if (line.mostAside(box) < 0.0)
+    if (edge.mostAside(whole) < 0.0)
     {
       return;
     }
-    const double length = norm(edge);
-    if (line.leastAside(box) < 0.0 && length > 0.0)
+    if (edge.leastAside(whole) < 0.0)
     {
       isWithin = false;
-      addMeetings(curve, { begin, (1.0 / length) * edge }, this->atEdges_);
+      addMeetings(curve, edge, this->atEdges_);
     }
   }
+  const auto isInside = [&](Vec2 p)
+  {
+    return std::all_of(
+      edges.begin(), edges.end(), [p](const PlaneLine& edge) { return edge.aside(p) >= 0.0; });
+  };
   std::sort(this->atEdges_.begin(), this->atEdges_.end());
   this->atEdges_.push_back(curve.extent);
   double begin = 0.0;
   for (const double end : this->atEdges_)
   {
-    if (end > begin && (isWithin || isInside(corners, curve.at(0.5 * (begin + end)))))
+    if (end > begin && (isWithin || isInside(curve.at(0.5 * (begin + end)))))
     {
       this->cutByRegions(curve, begin, end, remainders);
     }
@@ -154,17 +170,24 @@ void LevelArrangement::cut(
 void LevelArrangement::cutByRegions(
   const LevelCurve& curve, double first, double last, std::vector<Remainder>& remainders)
 {
-  const PlaneBox box = boxAround(curve, first, last, this->level_->gap);
+  const CurvePart part(curve, first, last, this->level_->gap);
+  const Interval extent = part.alongAxis(this->axis_);
   this->atRegions_.clear();
   this->near_.clear();
   for (std::size_t i = 0; i < this->regions_.size(); ++i)
   {
     const LevelRegion& region = this->regions_[i];
-    if (i != curve.candidate && !region.misses(box))
+    if (this->extents_[i].end < extent.begin || extent.end < this->extents_[i].begin ||
+      i == curve.candidate || region.misses(part))
     {
-      this->near_.push_back(&region);
-      region.addMeetings(curve, this->atRegions_);
+      continue;
     }
+    if (region.covers(part))
+    {
+      return;
+    }
+    this->near_.push_back(&region);
+    region.addMeetings(part, this->atRegions_);
   }
   std::sort(this->atRegions_.begin(), this->atRegions_.end());
   this->atRegions_.push_back(last);
@@ -191,13 +214,23 @@ void LevelArrangement::cutByRegions(
   }
 }
 
-// Whether a point of a curve is outside the regions nearby. Between pencils that rounding has
-// parted, a path that bends at the end of one of them may be shorter.
+// Whether a point of a curve is outside the regions nearby.
 bool LevelArrangement::remains(Vec2 p) const
 {
   return std::none_of(this->near_.begin(), this->near_.end(),
-           [p](const LevelRegion* region) { return region->contains(p); }) &&
-    this->level_->face.distance(p) >= this->level_->value - this->level_->slack;
+    [p](const LevelRegion* region) { return region->contains(p); });
+}
+
+// Whether a remainder lies between two pencils that rounding has parted: there a path that bends at
+// the end of one of them is shorter. A longer remainder there bends away from the line, by the
+// square of its length over a radius, so that its ends meet no others.
+bool LevelArrangement::isScrap(const Remainder& remainder) const
+{
+  const auto& [curve, begin, end] = remainder;
+  const FaceLevel& level = *this->level_;
+  const Vec2 chord = curve->at(end) - curve->at(begin);
+  return dot(chord, chord) <= level.gap * (level.size + level.value) &&
+    level.face.distance(curve->at(0.5 * (begin + end))) < level.value - level.slack;
 }
 
 }

@@ -64,16 +64,21 @@ public:
 
 private:
   void addRegion(const DistanceCandidate& candidate, double offset);
-  void cut(const LevelCurve& curve, const std::array<Vec2, 3>& corners,
+  void findExtents();
+  void cut(const LevelCurve& curve, const std::array<PlaneLine, 3>& edges,
     std::vector<Remainder>& remainders);
   void cutByRegions(
     const LevelCurve& curve, double first, double last, std::vector<Remainder>& remainders);
   bool remains(Vec2 p) const;
+  bool isScrap(const Remainder& remainder) const;
 
   const Job& job_;
   const FaceLevel* level_ = nullptr;
   std::vector<LevelRegion> regions_;
   std::vector<LevelCurve> curves_;
+  /// Where each region lies along an axis across most rays.
+  Vec2 axis_;
+  std::vector<Interval> extents_;
   /// Where the curve that is cut meets edges and regions, and the regions near its part.
   std::vector<double> atEdges_;
   std::vector<double> atRegions_;

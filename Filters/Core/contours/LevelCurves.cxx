@@ -118,6 +118,26 @@ double PlaneBox::farthest(Vec2 p) const
     std::max(p.y - this->low.y, this->high.y - p.y) });
 }
 
+// An arc is not farther from its chord than this, nor than its own length.
+CurvePart::CurvePart(const LevelCurve& levelCurve, double from, double to, double gap)
+  : curve(levelCurve)
+  , begin(levelCurve.at(from))
+  , end(levelCurve.at(to))
+  , room(gap)
+  , endShare(tolerance::CurveEndShare)
+{
+  const double chord = norm(this->end - this->begin);
+  if (gap < tolerance::CurveEndShare * chord)
+  {
+    this->endShare = gap / chord;
+  }
+  if (levelCurve.isArc)
+  {
+    const double length = 2.0 * levelCurve.radius * (to - from); // or a little less
+    this->room += std::min(length, 0.125 * length * length / levelCurve.radius);
+  }
+}
+
 Vec2 LevelCurve::at(double t) const
 {
   return this->isArc ? this->origin + this->radius * turnedClockwise(this->axis, t)
@@ -173,7 +193,6 @@ bool LevelRegion::hasPointsBefore(double value) const
   return this->level_ > 0.0 && norm(c.begin + x * along - c.source) < this->level_;
 }
 
-// The length of the way straight to a point, from the source or along parallel rays.
 double LevelRegion::straightTo(Vec2 p) const
 {
   const DistanceCandidate& c = this->candidate_;
@@ -182,7 +201,6 @@ double LevelRegion::straightTo(Vec2 p) const
                                                    : norm(p - c.source);
 }
 
-// A lower bound of that length to the points of a box.
 double LevelRegion::leastStraightTo(const PlaneBox& box) const
 {
   const DistanceCandidate& c = this->candidate_;
@@ -191,11 +209,34 @@ double LevelRegion::leastStraightTo(const PlaneBox& box) const
                                                    : box.nearest(c.source);
 }
 
-bool LevelRegion::misses(const PlaneBox& box) const
+// Slopes are at most 1.
+double LevelRegion::leastStraightTo(const CurvePart& part) const
 {
-  return std::any_of(this->rays().begin(), this->rays().end(),
-           [&](const PlaneLine& ray) { return ray.leastAside(box) > this->margin_; }) ||
-    this->leastStraightTo(box) > this->level_;
+  const double atEnds = this->straightTo(part.begin) + this->straightTo(part.end);
+  return 0.5 * (atEnds - norm(part.end - part.begin)) - part.room;
+}
+
+bool LevelRegion::covers(const CurvePart& part) const
+{
+  return std::all_of(this->rays().begin(), this->rays().end(),
+           [&](const PlaneLine& ray) { return ray.mostAside(part) <= this->margin_; }) &&
+    this->mostStraightTo(part) < this->level_;
+}
+
+// Rays go from the window no farther than the face is long. In a pencil of up to 60 degrees they
+// end before the chord between the two at its ends, if these are twice as long.
+Interval LevelRegion::alongAxis(Vec2 axis, double size) const
+{
+  const Vec2 first = this->rays_[0].along;
+  const Vec2 last = -1.0 * this->rays_[1].along;
+  if (!(dot(first, last) > 0.5))
+  {
+    return { -Infinity, Infinity };
+  }
+  const auto [least, most] = std::minmax({ dot(axis, this->candidate_.begin),
+    dot(axis, this->candidate_.end), dot(axis, this->candidate_.begin + 2.0 * size * first),
+    dot(axis, this->candidate_.end + 2.0 * size * last) });
+  return { least - this->margin_, most + this->margin_ };
 }
 
 bool LevelRegion::contains(Vec2 p) const
@@ -253,22 +294,19 @@ void LevelRegion::addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves
 // From the margin before the one ray to that behind the other; the rays pass through the centre.
 void LevelRegion::addArc(std::vector<LevelCurve>& curves) const
 {
-  // The margin is known to far fewer digits than two terms of the series have below this.
-  constexpr double smallSine = 1e-3;
-  constexpr double smallAngle = 0.1;
-  const double sine = this->margin_ / this->level_;
-  const double beyond =
-    sine < smallSine ? sine * (1.0 + sine * sine / 6.0) : arcSine(std::min(1.0, sine));
+  constexpr double smallSine = 0.1;
+  // The angle of the margin, seen from the centre.
+  const double sine = std::min(1.0, this->margin_ / this->level_);
+  const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
   const Vec2 first = this->rays_[0].along;
   const Vec2 last = -1.0 * this->rays_[1].along;
-  const Vec2 axis = turnedClockwise(first, -tangent(0.5 * beyond));
-  const double cosine = dot(first, last);
-  const double side = cross(last, first);
-  if (cosine > 0.0 && beyond < smallAngle)
+  const Vec2 axis = turnedClockwise(first, -sine / (1.0 + cosine));
+  const double towards = dot(first, last);
+  if (towards > 0.0 && sine < smallSine)
   {
     // A narrow pencil. Rays that nearly coincide may seem to turn the other way.
-    const double half = std::max(0.0, side / (1.0 + cosine));
-    const double more = tangent(beyond);
+    const double half = std::max(0.0, cross(last, first) / (1.0 + towards));
+    const double more = sine / cosine;
     const double halfTangent = (half + more) / (1.0 - half * more);
     if (halfTangent <= 1.0)
     {
@@ -278,18 +316,26 @@ void LevelRegion::addArc(std::vector<LevelCurve>& curves) const
     }
   }
   const double between = clockwiseAngle(first, last);
-  const double angle = (between > 1.5 * Pi ? 0.0 : between) + 2.0 * beyond;
+  const double angle = (between > 1.5 * Pi ? 0.0 : between) + 2.0 * arcSine(sine);
   addArcs(
     this->number_, this->candidate_.source, this->level_, axis, std::min(angle, 2.0 * Pi), curves);
 }
 
-void LevelRegion::addMeetings(const LevelCurve& curve, std::vector<double>& parameters) const
+void LevelRegion::addMeetings(const CurvePart& part, std::vector<double>& parameters) const
 {
+  const LevelCurve& curve = part.curve;
   const DistanceCandidate& c = this->candidate_;
   for (const PlaneLine& ray : this->rays())
   {
-    geodesic::addMeetings(
-      curve, { ray.point + this->margin_ * leftOf(ray.along), ray.along }, parameters);
+    if (ray.mostAside(part) >= this->margin_)
+    {
+      geodesic::addMeetings(
+        curve, { ray.point + this->margin_ * leftOf(ray.along), ray.along }, parameters);
+    }
+  }
+  if (this->mostStraightTo(part) < this->level_)
+  {
+    return;
   }
   if (c.kind == DistanceCandidate::Kind::Linear)
   {

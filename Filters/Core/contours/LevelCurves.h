@@ -3,7 +3,9 @@
 #define geodesic_LevelCurves_h
 
 #include "field/FaceDistance.h"
+#include "window/Interval.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -28,6 +30,33 @@ struct LevelCurve
 
   /// The point at t, from 0 to extent.
   Vec2 at(double t) const;
+};
+
+/// A part of a level curve.
+struct CurvePart
+{
+  const LevelCurve& curve;
+  Vec2 begin;
+  Vec2 end;
+  /// The part lies within this of its chord, with a gap to spare.
+  double room;
+  /// What share of it at one end is no longer than a gap (see tolerance::CurveEndShare).
+  double endShare;
+
+  CurvePart(const LevelCurve& levelCurve, double from, double to, double gap);
+
+  /// Where its points lie along an axis.
+  Interval alongAxis(Vec2 axis) const
+  {
+    const auto [least, most] = std::minmax({ dot(axis, this->begin), dot(axis, this->end) });
+    return { least - this->room, most + this->room };
+  }
+  /// Whether its farthest point in a direction is between its ends. Arcs run clockwise.
+  bool bulges(Vec2 direction) const
+  {
+    return this->curve.isArc && cross(direction, this->begin - this->curve.origin) > 0.0 &&
+      cross(this->end - this->curve.origin, direction) > 0.0;
+  }
 };
 
 /// A rectangle around a face. Places outside it do not matter.
@@ -61,14 +90,26 @@ struct PlaneLine
 
   /// How far to the left of the line a point lies.
   double aside(Vec2 p) const { return cross(this->along, p - this->point); }
-  /// The same of the points of a box that lie farthest to the left, and to the right.
-  double mostAside(const PlaneBox& box) const
-  {
-    return this->aside(box.corner(leftOf(this->along)));
-  }
+  /// The same of the point of a box that lies farthest to the right.
   double leastAside(const PlaneBox& box) const
   {
     return this->aside(box.corner(-1.0 * leftOf(this->along)));
+  }
+  /// Bounds of the same for the points of a part of a curve.
+  double leastAside(const CurvePart& part) const
+  {
+    return std::min(this->aside(part.begin), this->aside(part.end)) - part.room;
+  }
+  double mostAside(const CurvePart& part) const
+  {
+    return std::max(this->aside(part.begin), this->aside(part.end)) + part.room;
+  }
+  /// Whether a part of a curve lies farther to the left than this, but for a gap at its end.
+  bool hasOnLeft(const CurvePart& part, double aside) const
+  {
+    const auto [least, most] = std::minmax({ this->aside(part.begin), this->aside(part.end) });
+    return least - part.room > aside ||
+      (aside - least < part.endShare * (most - least) && !part.bulges(-1.0 * leftOf(this->along)));
   }
 };
 
@@ -87,21 +128,47 @@ public:
   /// If not, the region is empty.
   bool hasPointsBefore(double value) const;
   bool contains(Vec2 p) const;
+  /// The direction of one of its rays; zero without a pencil.
+  Vec2 direction() const { return this->rays_[0].along; }
+  /// Bounds of where its points in a face of that size lie along an axis.
+  Interval alongAxis(Vec2 axis, double size) const;
   /// Appends the curves that bound it in the box, each as far as the widened pencil goes.
   void addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves) const;
   /// Whether one of the lines that bound the region separates it from a box. If not, it may miss
   /// the box nevertheless.
-  bool misses(const PlaneBox& box) const;
-  /// Appends the parameters where a curve may enter or leave the region, and others.
-  void addMeetings(const LevelCurve& curve, std::vector<double>& parameters) const;
+  bool misses(const PlaneBox& box) const
+  {
+    return std::any_of(this->rays().begin(), this->rays().end(),
+             [&](const PlaneLine& ray) { return ray.leastAside(box) > this->margin_; }) ||
+      this->leastStraightTo(box) > this->level_;
+  }
+  /// The same for a part of a curve, but for gaps: where the widened pencils of neighbours overlap,
+  /// the ends of their curves are one, and need not be cut.
+  bool misses(const CurvePart& part) const
+  {
+    return std::any_of(this->rays().begin(), this->rays().end(),
+             [&](const PlaneLine& ray) { return ray.hasOnLeft(part, this->margin_); }) ||
+      this->leastStraightTo(part) > this->level_;
+  }
+  /// Whether all of a part of a curve certainly lies in the region.
+  bool covers(const CurvePart& part) const;
+  /// Appends the parameters where a part of a curve may enter or leave the region, and others.
+  void addMeetings(const CurvePart& part, std::vector<double>& parameters) const;
 
 private:
   ArrayRange<PlaneLine> rays() const
   {
     return { this->rays_.data(), this->rays_.data() + (this->candidate_.hasPencil() ? 2 : 0) };
   }
+  // The length of the way straight to a point, from the source or along parallel rays; a lower
+  // bound of it to the points of a box or of a part of a curve, and an upper one.
   double straightTo(Vec2 p) const;
   double leastStraightTo(const PlaneBox& box) const;
+  double leastStraightTo(const CurvePart& part) const;
+  double mostStraightTo(const CurvePart& part) const
+  {
+    return std::max(this->straightTo(part.begin), this->straightTo(part.end)) + part.room;
+  }
   void addArc(std::vector<LevelCurve>& curves) const;
 
   DistanceCandidate candidate_;
@@ -111,7 +178,7 @@ private:
   double margin_;
   /// The rays at the window's ends, the second one backwards: the pencil lies to the right of both,
   /// up to the margin. Without a pencil there are none.
-  std::array<PlaneLine, 2> rays_;
+  std::array<PlaneLine, 2> rays_{};
 };
 
 }

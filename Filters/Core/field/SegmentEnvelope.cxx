@@ -188,6 +188,38 @@ bool dipsBelow(const Window& w, double value)
     w.sigma + w.sourceDepth < value;
 }
 
+// Finds the crossings on an envelope, which may be empty where the segment has hardly any length.
+// Windows are convex functions: below a value on an interval, if at all.
+void findCrossings(const std::vector<Window>& envelope, double value, bool beginsBelow,
+  bool endsBelow, std::vector<SegmentCrossing>& result)
+{
+  if (envelope.empty() && beginsBelow != endsBelow)
+  {
+    result.push_back({ 0.0, beginsBelow });
+  }
+  // Where the distance equals the value all along, its rounding must not make crossings.
+  const double clearly =
+    envelope.empty() ? value : value - tolerance::Evaluation * (value + envelope.back().end);
+  bool below = beginsBelow;
+  for (std::size_t i = 0; i < envelope.size(); ++i)
+  {
+    const Window& w = envelope[i];
+    const bool belowNext =
+      i + 1 < envelope.size() ? w.distance(w.end) < (below ? value : clearly) : endsBelow;
+    const auto [before, behind] = placesOf(w, value);
+    const bool dips = !below && !belowNext && dipsBelow(w, clearly);
+    if ((!below && belowNext) || dips)
+    {
+      result.push_back({ std::clamp(before, w.begin, w.end), false });
+    }
+    if ((below && !belowNext) || dips)
+    {
+      result.push_back({ std::clamp(behind, w.begin, w.end), true });
+    }
+    below = belowNext;
+  }
+}
+
 } // anonymous namespace
 
 // In the exact field bent paths only fill gaps of rounding; merged windows may need them.
@@ -221,8 +253,10 @@ const std::vector<Window>& SegmentEnvelope::along(const FaceDistance& face, Vec2
 }
 
 // Leaves out candidates that are longer than the distance in the middle by more than the segment's
-// length: these are longer throughout. Returns the distance in the middle.
-double SegmentEnvelope::chooseNear(const FaceDistance& face, Vec2 middle, double length)
+// length: these are longer throughout. If only the places below a value matter, leaves out those
+// that are above it throughout, too. Returns the distance in the middle.
+double SegmentEnvelope::chooseNear(
+  const FaceDistance& face, Vec2 middle, double length, double value)
 {
   const std::vector<DistanceCandidate>& candidates = face.candidates();
   this->inMiddle_.clear();
@@ -232,7 +266,7 @@ double SegmentEnvelope::chooseNear(const FaceDistance& face, Vec2 middle, double
     this->inMiddle_.push_back(c.distance(middle));
     least = std::min(least, this->inMiddle_.back());
   }
-  const double bound = (least + length) * (1.0 + tolerance::Tie);
+  const double bound = std::min(least + length, value + 0.5 * length) * (1.0 + tolerance::Tie);
   this->near_.clear();
   for (std::size_t i = 0; i < candidates.size(); ++i)
   {
@@ -244,15 +278,20 @@ double SegmentEnvelope::chooseNear(const FaceDistance& face, Vec2 middle, double
   return least;
 }
 
-// Returns whether neighbours are equal where they meet. A piece that fills a gap of rounding may be
-// far above the distance: its neighbours replace it.
-bool SegmentEnvelope::build(Vec2 p, Vec2 u, double length, bool withBent)
+void SegmentEnvelope::cutNear(Vec2 p, Vec2 u, double length, bool withBent)
 {
   this->pieces_.clear();
   for (const DistanceCandidate* c : this->near_)
   {
     addPieces(this->pieces_, *c, { p, u, length }, withBent);
   }
+}
+
+// Returns whether neighbours are equal where they meet. A piece that fills a gap of rounding may be
+// far above the distance: its neighbours replace it.
+bool SegmentEnvelope::build(Vec2 p, Vec2 u, double length, bool withBent)
+{
+  this->cutNear(p, u, length, withBent);
   std::sort(this->pieces_.begin(), this->pieces_.end(),
     [](const Window& a, const Window& b) { return a.begin < b.begin; });
   this->builder_.reset(length);
@@ -267,35 +306,81 @@ bool SegmentEnvelope::build(Vec2 p, Vec2 u, double length, bool withBent)
   return !this->envelope_.empty() && joinNeighbours(this->envelope_, length);
 }
 
-// Windows are convex functions: below a value on an interval, if at all.
-void findCrossings(const std::vector<Window>& envelope, double value, bool beginsBelow,
-  bool endsBelow, std::vector<SegmentCrossing>& result)
+// The distance is below the value in the union of the intervals where the candidates are (paper,
+// equation 1 and section 4.2.2, solved for the place). The envelope, which costs more, is needed
+// only where rounding decides.
+void SegmentEnvelope::findCrossings(const FaceDistance& face, Vec2 p, Vec2 q, double value,
+  bool beginsBelow, bool endsBelow, std::vector<SegmentCrossing>& result)
 {
-  if (envelope.empty() && beginsBelow != endsBelow)
+  const double length = norm(q - p);
+  if (length > 0.0 && face.isExact())
   {
-    result.push_back({ 0.0, beginsBelow });
+    const double inMiddle = this->chooseNear(face, 0.5 * (p + q), length, value);
+    this->cutNear(p, (1.0 / length) * (q - p), length, false);
+    if (this->findSublevels(length, value) && this->isBelow(0.0) == beginsBelow &&
+      this->isBelow(length) == endsBelow && this->isBelow(0.5 * length) == (inMiddle < value))
+    {
+      for (const Sublevel& below : this->sublevels_)
+      {
+        if (below.begin > 0.0)
+        {
+          result.push_back({ below.begin, false });
+        }
+        if (below.end < length)
+        {
+          result.push_back({ below.end, true });
+        }
+      }
+      return;
+    }
   }
-  // Where the distance equals the value all along, its rounding must not make crossings.
-  const double clearly =
-    envelope.empty() ? value : value - tolerance::Evaluation * (value + envelope.back().end);
-  bool below = beginsBelow;
-  for (std::size_t i = 0; i < envelope.size(); ++i)
+  geodesic::findCrossings(this->along(face, p, q), value, beginsBelow, endsBelow, result);
+}
+
+bool SegmentEnvelope::isBelow(double x) const
+{
+  return std::any_of(this->sublevels_.begin(), this->sublevels_.end(),
+    [x](const Sublevel& below) { return below.begin <= x && x <= below.end; });
+}
+
+// Finds the union of the intervals where the pieces are below the value. Returns whether it is
+// certain: no piece hardly dips below, and the union ends only where the distance is the value, not
+// where rounding has parted two pencils.
+bool SegmentEnvelope::findSublevels(double length, double value)
+{
+  const double slack = tolerance::Evaluation * (value + length);
+  this->inPieces_.clear();
+  for (const Window& w : this->pieces_)
   {
-    const Window& w = envelope[i];
-    const bool belowNext =
-      i + 1 < envelope.size() ? w.distance(w.end) < (below ? value : clearly) : endsBelow;
-    const auto [before, behind] = placesOf(w, value);
-    const bool dips = !below && !belowNext && dipsBelow(w, clearly);
-    if ((!below && belowNext) || dips)
+    const double least = w.minimum();
+    if (std::abs(least - value) <= slack)
     {
-      result.push_back({ std::clamp(before, w.begin, w.end), false });
+      return false;
     }
-    if ((below && !belowNext) || dips)
+    if (least < value)
     {
-      result.push_back({ std::clamp(behind, w.begin, w.end), true });
+      const auto [before, behind] = placesOf(w, value);
+      this->inPieces_.push_back({ std::max(before, w.begin), std::min(behind, w.end),
+        before > w.begin || w.begin == 0.0, behind < w.end || w.end == length });
     }
-    below = belowNext;
   }
+  std::sort(this->inPieces_.begin(), this->inPieces_.end(),
+    [](const Sublevel& a, const Sublevel& b) { return a.begin < b.begin; });
+  this->sublevels_.clear();
+  for (const Sublevel& below : this->inPieces_)
+  {
+    if (this->sublevels_.empty() || below.begin > this->sublevels_.back().end)
+    {
+      this->sublevels_.push_back(below);
+    }
+    else if (below.end > this->sublevels_.back().end)
+    {
+      this->sublevels_.back().end = below.end;
+      this->sublevels_.back().endsAtValue = below.endsAtValue;
+    }
+  }
+  return std::all_of(this->sublevels_.begin(), this->sublevels_.end(),
+    [](const Sublevel& below) { return below.beginsAtValue && below.endsAtValue; });
 }
 
 }

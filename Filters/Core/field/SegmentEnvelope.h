@@ -10,6 +10,15 @@
 namespace geodesic
 {
 
+/// A place where the distance along a segment passes a value.
+struct SegmentCrossing
+{
+  /// From the segment's begin.
+  double at;
+  /// Whether it is below the value before, and above behind.
+  bool rises;
+};
+
 /// Builds the exact piecewise distance along any segment of a face: a segment splits a pencil of
 /// rays as an edge does, so that no propagation is needed (paper, section 6). One face suffices for
 /// its own edges, too.
@@ -23,37 +32,41 @@ public:
   /// rounding. Empty if p is q. Valid until the next call.
   const std::vector<Window>& along(const FaceDistance& face, Vec2 p, Vec2 q);
 
+  /// Finds the places of the segment from p to q where the distance passes a value, in their order.
+  /// They alternate between rising and falling and agree with the arguments about the ends, in
+  /// spite of roundings.
+  ///
+  /// \param beginsBelow whether the distance at p counts as below the value.
+  /// \param endsBelow the same at q.
+  /// \param result is appended to.
+  void findCrossings(const FaceDistance& face, Vec2 p, Vec2 q, double value, bool beginsBelow,
+    bool endsBelow, std::vector<SegmentCrossing>& result);
+
 private:
-  double chooseNear(const FaceDistance& face, Vec2 middle, double length);
+  /// Where the distance along the segment is below a value.
+  struct Sublevel
+  {
+    double begin;
+    double end;
+    /// Whether the distance is the value there.
+    bool beginsAtValue;
+    bool endsAtValue;
+  };
+
+  double chooseNear(const FaceDistance& face, Vec2 middle, double length, double value = Infinity);
+  void cutNear(Vec2 p, Vec2 u, double length, bool withBent);
   bool build(Vec2 p, Vec2 u, double length, bool withBent);
+  bool findSublevels(double length, double value);
+  bool isBelow(double x) const;
 
   std::vector<const DistanceCandidate*> near_;
   std::vector<double> inMiddle_;
   std::vector<Window> pieces_;
   WindowListBuilder builder_;
   std::vector<Window> envelope_;
+  std::vector<Sublevel> inPieces_;
+  std::vector<Sublevel> sublevels_;
 };
-
-/// A place where the distance along a segment passes a value.
-struct SegmentCrossing
-{
-  /// From the segment's begin.
-  double at;
-  /// Whether it is below the value before, and above behind.
-  bool rises;
-};
-
-/// Finds the places of a segment where the distance passes a value, in their order (paper, equation
-/// 1 and section 4.2.2, solved for the place). They alternate between rising and falling and agree
-/// with the arguments about the ends, in spite of roundings.
-///
-/// \param envelope the distance along the segment, see SegmentEnvelope; may be empty where the
-///        segment has hardly any length.
-/// \param beginsBelow whether the distance at the begin counts as below the value.
-/// \param endsBelow the same at the end.
-/// \param result is appended to.
-void findCrossings(const std::vector<Window>& envelope, double value, bool beginsBelow,
-  bool endsBelow, std::vector<SegmentCrossing>& result);
 
 }
 

@@ -80,7 +80,7 @@ TEST(LevelCurves, EnterAndLeaveRegionsOnlyAtTheirMeetings)
       const LevelRegion region(candidate, 0, random.uniform(0.4, 1.2), 1e-12);
       const LevelCurve curve = randomCurve(random);
       std::vector<double> places;
-      region.addMeetings(curve, places);
+      region.addMeetings(geodesic::CurvePart(curve, 0.0, curve.extent, 0.0), places);
       const auto isInside = [&](int i)
       { return region.contains(curve.at(i * curve.extent / steps)); };
       for (int i = 0; i < steps; ++i)

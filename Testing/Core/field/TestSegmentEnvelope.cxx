@@ -16,6 +16,9 @@ using namespace geodesictest;
 using geodesic::FaceDistance;
 using geodesic::SegmentEnvelope;
 using geodesic::Window;
+using geodesic::operator+;
+using geodesic::operator-;
+using geodesic::operator*;
 
 namespace
 {
@@ -118,6 +121,41 @@ std::vector<MeshPoint> samplesOf(const std::vector<Along>& all)
   return places;
 }
 
+/// Checks where the distance along a segment is below its value at one of the segment's points.
+void expectCrossings(SegmentEnvelope& envelope, const FaceDistance& face, geodesic::Vec2 p,
+  geodesic::Vec2 q, double place, double accuracy)
+{
+  const auto distance = [&](double t) { return face.distance(p + t * (q - p)); };
+  const double value = distance(place);
+  const double length = norm(q - p);
+  const bool beginsBelow = distance(0.0) < value;
+  const bool endsBelow = distance(1.0) < value;
+  std::vector<geodesic::SegmentCrossing> crossings;
+  envelope.findCrossings(face, p, q, value, beginsBelow, endsBelow, crossings);
+  bool isBelow = beginsBelow;
+  double before = 0.0;
+  for (const geodesic::SegmentCrossing& crossing : crossings)
+  {
+    EXPECT_EQ(crossing.rises, isBelow);
+    EXPECT_GE(crossing.at, before);
+    EXPECT_LE(crossing.at, length);
+    EXPECT_NEAR(distance(crossing.at / length), value, accuracy);
+    isBelow = !isBelow;
+    before = crossing.at;
+  }
+  EXPECT_EQ(isBelow, endsBelow);
+  for (int s = 0; s <= SamplesOfASegment; ++s)
+  {
+    const double t = static_cast<double>(s) / SamplesOfASegment;
+    const auto passed = std::count_if(crossings.begin(), crossings.end(),
+      [&](const geodesic::SegmentCrossing& crossing) { return crossing.at < t * length; });
+    if (std::abs(distance(t) - value) > accuracy)
+    {
+      EXPECT_EQ(beginsBelow != (passed % 2 == 1), distance(t) < value) << "at " << t;
+    }
+  }
+}
+
 /// \returns the largest error.
 double compare(const std::vector<Along>& all, const std::vector<double>& truth)
 {
@@ -172,6 +210,7 @@ TEST_P(SegmentEnvelopes, AreTheDistanceAlongAnySegmentOfAnyFace)
       }
       expectGapless(along);
       expectLeastOfCandidates(along, face, SegmentAccuracy * largest);
+      expectCrossings(envelope, face, p, q, random.uniform(), SegmentAccuracy * largest);
       all.push_back(along);
     }
     const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), samplesOf(all));
