@@ -119,7 +119,10 @@ private:
     {
       hash.add(field.distance(target));
     }
-    this->largest_ = largestFinite(field.vertexDistances());
+    if (relativeError == 0.0) // what follows does not change with the approximation
+    {
+      this->largest_ = largestFinite(field.vertexDistances());
+    }
     return hash;
   }
 

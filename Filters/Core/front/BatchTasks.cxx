@@ -190,19 +190,44 @@ void mergeNeighboursOf(
   }
 }
 
+// Merging lists may shorten the way to their apex. So within an error, a vertex settles in the
+// batch after the one in which they pass, at the distance found meanwhile, also on other ranks.
+// Settled at once, every second vertex would settle again.
+bool settlesNow(const BatchTasks& tasks, const VertexState& state, double last)
+{
+  return state.distance <= last && (state.hasPassed || !(tasks.options.relativeError > 0.0));
+}
+
+// What a vertex that the front has reached does when its lists have passed.
+void finishReached(BatchTasks& tasks, District& district, Id vertex)
+{
+  VertexState& state = tasks.vertices[vertex];
+  if (state.hasPassed)
+  {
+    state.hasPassed = false;
+    return;
+  }
+  state.countProcessing();
+  if (state.isShorter()) // within an error
+  {
+    state.hasPassed = true;
+    district.schedule.addPassed(vertex);
+  }
+}
+
 // Returns whether the vertex is done. If the worker has to pause, the remaining lists stay with the
 // vertex.
 bool processVertex(BatchTasks& tasks, FrontWorker& worker, District& district, Id vertex, Id batch)
 {
   const double last = district.schedule.last();
-  const double distance = tasks.vertices.distance(vertex);
+  VertexState& state = tasks.vertices[vertex];
+  const double distance = state.distance;
   const bool isReached = distance <= last;
-  if (isReached)
+  if (settlesNow(tasks, state, last))
   {
     settle(tasks, worker, district, vertex);
   }
   double next = isReached ? Infinity : distance;
-  VertexState& state = tasks.vertices[vertex];
   // Stays valid: propagate() only removes lists, which moves none. Lists are added in the second
   // step of the batch alone (receiveLists).
   Id* link = &state.facing;
@@ -224,7 +249,7 @@ bool processVertex(BatchTasks& tasks, FrontWorker& worker, District& district, I
   const bool isDone = *link == NoId;
   if (isDone && isReached)
   {
-    state.countProcessing();
+    finishReached(tasks, district, vertex);
   }
   if (isDone && next < Infinity)
   {

@@ -372,7 +372,7 @@ private:
     for (const Id number : this->active_)
     {
       District& district = this->districts_[number];
-      // A vertex that only lets lists of thin faces pass is not settled.
+      // A vertex that has only let lists pass is not settled.
       std::copy_if(district.batch.begin(), district.batch.end(), std::back_inserter(this->batch_),
         [this](Id vertex) { return this->vertices_[vertex].processed < Infinity; });
       district.batch.clear();

@@ -5,6 +5,7 @@
 #include "front/VertexStates.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace geodesic
@@ -37,7 +38,12 @@ public:
   {
     // Windows that come to a vertex behind the front continue with the front, in the same batches.
     const double key = std::max(distance, this->key_);
-    const Id slot = this->states_[vertex].slot;
+    const VertexState& state = this->states_[vertex];
+    const Id slot = state.slot;
+    if (state.hasPassed && distance >= state.distance)
+    {
+      return; // it waits at its distance
+    }
     if (slot < Behind)
     {
       if (key < this->heap_[slot].key)
@@ -57,6 +63,10 @@ public:
     }
   }
 
+  /// Lets a vertex of the current batch whose lists have passed wait again at its distance,
+  /// whatever that will be. It does not limit its batch.
+  void addPassed(Id vertex) { this->passed_.push_back(vertex); }
+
   /// The next batch: the least key of a waiting vertex, and the last key of its batch, which is at
   /// most the key of any waiting vertex plus its batch width. Both are infinite if no vertex waits.
   struct Outlook
@@ -71,6 +81,10 @@ public:
     {
       next.least = this->heap_.front().key;
       this->limitByWidths(0, next.last);
+    }
+    for (const Id vertex : this->passed_)
+    {
+      next.least = std::min(next.least, std::max(this->key_, this->states_[vertex].distance));
     }
     for (const Id vertex : this->behind_)
     {
@@ -88,11 +102,12 @@ public:
   {
     this->last_ = last;
     batch.assign(this->behind_.begin(), this->behind_.end());
-    this->behind_.clear();
-    for (const Id vertex : batch)
+    this->takePassed(last, batch);
+    for (const Id vertex : this->behind_)
     {
       this->states_[vertex].slot = NoId;
     }
+    this->behind_.clear();
     while (!this->heap_.empty() && this->heap_.front().key <= last)
     {
       batch.push_back(this->heap_.front().vertex);
@@ -114,6 +129,7 @@ public:
   bool isAnyWaiting(const Condition& condition) const
   {
     return std::any_of(this->behind_.begin(), this->behind_.end(), condition) ||
+      std::any_of(this->passed_.begin(), this->passed_.end(), condition) ||
       std::any_of(this->heap_.begin(), this->heap_.end(),
         [&condition](const WaitingVertex& waiting) { return condition(waiting.vertex); });
   }
@@ -130,6 +146,20 @@ private:
   static constexpr std::size_t Children = 4;
   static std::size_t parentOf(std::size_t slot) { return (slot - 1) / Children; }
   static std::size_t firstChildOf(std::size_t slot) { return Children * slot + 1; }
+
+  // Those that are not in the batch anyway.
+  void takePassed(double last, std::vector<Id>& batch)
+  {
+    const auto isBeyond = [this, last](Id vertex) { return this->states_[vertex].distance > last; };
+    const auto taken = std::partition(this->passed_.begin(), this->passed_.end(), isBeyond);
+    std::copy_if(taken, this->passed_.end(), std::back_inserter(batch),
+      [this, last](Id vertex)
+      {
+        const Id slot = this->states_[vertex].slot;
+        return slot == NoId || (slot != Behind && this->heap_[slot].key > last);
+      });
+    this->passed_.erase(taken, this->passed_.end());
+  }
 
   double batchWidthOf(Id vertex) const
   {
@@ -212,6 +242,8 @@ private:
   /// Vertices ahead of the front, and those at or behind it.
   std::vector<WaitingVertex> heap_;
   std::vector<Id> behind_;
+  /// Vertices whose lists have passed. They may wait for others, too.
+  std::vector<Id> passed_;
 };
 
 }

@@ -45,6 +45,8 @@ struct VertexState
   /// How often it was processed, up to the largest number.
   std::uint8_t timesProcessed = 0;
   bool hasThinFaces = false;
+  /// Within an error: whether its lists have passed, so that it settles in its next batch.
+  bool hasPassed = false;
 
   Arrival arrival() const { return { this->arrivalHalfedge, {}, this->arrivalX }; }
   /// Whether windows may come again and again to halfedges opposite it. On scans hardly any vertex

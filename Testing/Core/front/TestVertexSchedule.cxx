@@ -83,6 +83,21 @@ public:
   }
   VertexSchedule& schedule() { return this->schedule_; }
 
+  /// Lets a vertex whose lists have passed wait at its distance.
+  void addPassed(double distance, Id vertex)
+  {
+    this->states_[vertex].distance = distance;
+    this->states_[vertex].hasPassed = true;
+    this->schedule_.addPassed(vertex);
+  }
+  void settle(Id vertex) { this->states_[vertex].hasPassed = false; }
+  /// Lets a vertex wait whose distance has become smaller.
+  void shorten(double distance, Id vertex)
+  {
+    this->states_[vertex].distance = distance;
+    this->schedule_.add(vertex, distance);
+  }
+
 private:
   geodesic::TriangleMesh mesh_;
   VertexStates states_;
@@ -209,6 +224,51 @@ TEST(VertexSchedule, AVertexBehindTheFrontWaitsForTheNextBatch)
   EXPECT_EQ(schedule.least(), 4.0);
   EXPECT_EQ(schedule.schedule().outlook().last, 4.5);
   EXPECT_EQ(schedule.takeBatch(4.5), (std::vector<Id>{ 0, 1 }));
+}
+
+TEST(VertexSchedule, AVertexWhoseListsHavePassedWaitsAtItsDistanceAndLimitsNoBatch)
+{
+  ScheduleAndModel schedule({ 0.5, 0.5, 0.25 });
+  schedule.addPassed(1.25, 2);
+  schedule.add(1.125, 0);
+  schedule.add(2.0, 1);
+  EXPECT_EQ(schedule.least(), 1.125);
+  schedule.shorten(1.0, 2);
+  EXPECT_EQ(schedule.least(), 1.0);
+  EXPECT_EQ(schedule.schedule().outlook().last, 1.625) << "the width of the first alone";
+  EXPECT_TRUE(schedule.schedule().isAnyWaiting([](Id vertex) { return vertex == 2; }));
+  EXPECT_TRUE(schedule.takeBatch(0.875).empty());
+  EXPECT_EQ(schedule.takeBatch(1.0), std::vector<Id>{ 2 });
+  EXPECT_EQ(schedule.takeBatch(Infinity), std::vector<Id>{ 0 });
+  EXPECT_EQ(schedule.takeBatch(Infinity), std::vector<Id>{ 1 });
+  EXPECT_EQ(schedule.least(), Infinity);
+}
+
+TEST(VertexSchedule, AVertexWhoseListsHavePassedMayAlsoWaitForANearerList)
+{
+  for (const double last : { 0.875, 1.0 })
+  {
+    ScheduleAndModel schedule({ 0.5 });
+    schedule.addPassed(1.0, 0);
+    schedule.schedule().add(0, 0.75);
+    EXPECT_EQ(schedule.least(), 0.75);
+    EXPECT_EQ(schedule.takeBatch(last), std::vector<Id>{ 0 });
+    EXPECT_EQ(schedule.least(), last < 1.0 ? 1.0 : Infinity);
+    EXPECT_EQ(schedule.takeBatch(1.0).size(), last < 1.0 ? 1U : 0U) << "once a batch";
+  }
+}
+
+TEST(VertexSchedule, AVertexWhoseListsHavePassedMayAlsoWaitForAFartherList)
+{
+  ScheduleAndModel schedule({ 0.5 });
+  schedule.schedule().add(0, 4.0);
+  schedule.addPassed(1.0, 0);
+  EXPECT_EQ(schedule.takeBatch(1.0), std::vector<Id>{ 0 });
+  schedule.settle(0);
+  EXPECT_EQ(schedule.least(), 4.0);
+  schedule.schedule().add(0, 2.0);
+  EXPECT_EQ(schedule.takeBatch(2.0), std::vector<Id>{ 0 });
+  EXPECT_EQ(schedule.least(), Infinity) << "it waited once";
 }
 
 TEST(VertexSchedule, VerticesWithoutBatchWidthAreTaken)
