@@ -5,6 +5,7 @@
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Inputs.h"
 #include "PolyData/Memory.h"
+#include "PolyData/RoundNumbers.h"
 #include "PolyData/ranks/SharedResults.h"
 #include "PolyData/writing/LineWriter.h"
 #include "PolyData/writing/OutputPoints.h"
@@ -25,7 +26,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <locale>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -61,16 +61,10 @@ bool isPositive(double value)
 /// that roundings of a round length do not count.
 double roundLength(double length)
 {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << std::scientific << length;
-  const std::string power = text.str().substr(text.str().find('e'));
-  const auto times = [&power](const char* digits) { return std::stod(digits + power); };
-  double largest = times("1");
-  for (const char* digits : { "2", "5", "10" })
+  double largest = 0.0;
+  for (const double number : roundNumbersAround(length))
   {
-    const double next = times(digits);
-    largest = next <= 1.1 * length ? next : largest;
+    largest = number <= 1.1 * length ? number : largest;
   }
   return largest;
 }

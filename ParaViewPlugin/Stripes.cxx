@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stripes.h"
 
+#include "PolyData/RoundNumbers.h"
+
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMTransferFunctionPresets.h"
@@ -207,15 +209,13 @@ namespace stripes
 
 double roundStep(double length, int atMost)
 {
-  const double decade = std::pow(10.0, std::floor(std::log10(length / atMost)));
-  for (const double factor : { 1.0, 2.0, 5.0 })
+  if (!(length > 0.0) || !std::isfinite(length))
   {
-    if (length <= (atMost + Slack) * factor * decade)
-    {
-      return factor * decade;
-    }
+    return length;
   }
-  return 10.0 * decade;
+  const std::array<double, 4> steps = geodesic::roundNumbersAround(length / atMost);
+  return *std::find_if(
+    steps.begin(), steps.end() - 1, [&](double step) { return length <= (atMost + Slack) * step; });
 }
 
 void addPresets()

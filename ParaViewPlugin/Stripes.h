@@ -39,7 +39,8 @@ void resetTicks(vtkSMProxy* table);
 /// are too many to be told apart, or the user has chosen other colors.
 void showIds(vtkSMProxy* table);
 
-/// The smallest number 1, 2 or 5 times a power of ten that fits into a length at most that often.
+/// The smallest number 1, 2 or 5 times a power of ten that fits into a length at most that often;
+/// the length itself where it is not positive and finite.
 double roundStep(double length, int atMost);
 
 }

@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "Tolerance.h"
+#include "front/Arrival.h"
 
 #include <algorithm>
 #include <vector>

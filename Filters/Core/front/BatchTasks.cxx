@@ -228,25 +228,26 @@ bool processVertex(BatchTasks& tasks, FrontWorker& worker, District& district, I
     settle(tasks, worker, district, vertex);
   }
   double next = isReached ? Infinity : distance;
+  // Where the number of the next list stands: at the vertex, or at a list that goes on waiting.
   // Stays valid: propagate() only removes lists, which moves none. Lists are added in the second
   // step of the batch alone (receiveLists).
-  Id* link = &state.facing;
-  while (*link != NoId && !worker.hasToPause())
+  Id* cursor = &state.facing;
+  while (*cursor != NoId && !worker.hasToPause())
   {
-    WaitingLists::List& list = district.lists[*link];
+    WaitingLists::List& list = district.lists[*cursor];
     if ((list.due < Infinity ? list.due : distance) <= last)
     {
-      const Id number = *link;
-      *link = list.next;
+      const Id number = *cursor;
+      *cursor = list.next;
       tasks.propagate(worker, district, number, batch);
     }
     else
     {
       next = std::min(next, list.due);
-      link = &list.next;
+      cursor = &list.next;
     }
   }
-  const bool isDone = *link == NoId;
+  const bool isDone = *cursor == NoId;
   if (isDone && isReached)
   {
     finishReached(tasks, district, vertex);

@@ -3,8 +3,8 @@
 #define geodesic_Front_h
 
 #include "Job.h"
+#include "front/Arrival.h"
 #include "front/Retention.h"
-#include "front/SaddleWedge.h"
 #include "mesh/MeshPartition.h"
 #include "mesh/TriangleMesh.h"
 #include "source/SourceCurve.h"

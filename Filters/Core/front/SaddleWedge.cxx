@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "front/SaddleWedge.h"
 
-#include "Tolerance.h"
-#include "mesh/HalfedgeFrame.h"
-
 #include <algorithm>
-#include <cmath>
 
 namespace geodesic
 {
@@ -146,21 +142,6 @@ bool addShadow(const TriangleMesh& mesh, Id vertex, const Continuation& from,
 }
 
 } // anonymous namespace
-
-bool bends(Vec2 ray, Vec2 way, double longest)
-{
-  const double length = norm(ray);
-  const double rounding = tolerance::PlaceRounding * longest;
-  const double ofBoth = rounding * (length + norm(way));
-  return length <= rounding || std::abs(cross(ray, way)) > ofBoth || dot(ray, way) < -ofBoth;
-}
-
-bool isBent(const TriangleMesh& mesh, const Arrival& arrival)
-{
-  return arrival.isThroughWindow() &&
-    bends(arrival.direction, apexOf(mesh, arrival.halfedge) - Vec2{ arrival.x, 0.0 },
-      mesh.shape(TriangleMesh::faceOf(arrival.halfedge)).longest());
-}
 
 bool findSaddleWedge(
   const TriangleMesh& mesh, Id vertex, const Arrival& arrival, std::vector<EmittedInterval>& shadow)

@@ -4,8 +4,8 @@
 
 #include "Job.h"
 #include "Tolerance.h"
+#include "front/Arrival.h"
 #include "front/Retention.h"
-#include "front/SaddleWedge.h"
 #include "mesh/TriangleMesh.h"
 
 #include <algorithm>

@@ -168,7 +168,7 @@ private:
     const Arrival& arrival = this->field.arrivals()[vertex];
     if (arrival.halfedge == NoId)
     {
-      this->goToNeighbour(vertex);
+      this->path.next = Next::Lost; // a bound along an edge was shorter by roundings
       return;
     }
     this->startLeg(arrival.halfedge, arrival.x, arrival.direction, arrival.origin);
@@ -358,36 +358,6 @@ private:
     this->add(face, SurfacePoint::atVertex(vertex));
     this->path.next = Next::Point;
     this->path.left = this->field.vertexDistances()[vertex];
-  }
-
-  // Goes along an edge, to the vertex that gives the shortest way to the source.
-  void goToNeighbour(Id vertex)
-  {
-    double nearest = this->longestLeft(TriangleMesh::faceOf(*this->mesh.cornersAt(vertex).begin()));
-    Id found = NoId;
-    Id faceOfFound = NoId;
-    const auto look = [&](Id halfedge, Id other)
-    {
-      const double distance = this->field.vertexDistances()[other] + this->mesh.length(halfedge);
-      if (distance <= nearest)
-      {
-        nearest = distance;
-        found = other;
-        faceOfFound = TriangleMesh::faceOf(halfedge);
-      }
-    };
-    for (const Id corner : this->mesh.cornersAt(vertex))
-    {
-      const Id before = TriangleMesh::previousInFace(corner);
-      look(corner, this->mesh.destination(corner));
-      look(before, this->mesh.origin(before));
-    }
-    if (found == NoId)
-    {
-      this->path.next = Next::Lost;
-      return;
-    }
-    this->goToVertex(found, faceOfFound);
   }
 };
 

@@ -341,10 +341,6 @@ LinearFaceTest testLinear(const TriangleMesh& mesh, Id face, const std::array<do
   const MeasuredLists& lists, double tolerance, double known)
 {
   const double rounding = roundingOf(d);
-  if (!(rounding < tolerance))
-  {
-    return { {}, {}, false };
-  }
   LinearFaceTest result;
   result.byBand = closureBound(boundsByBand(mesh, face, d, lists, tolerance), rounding);
   if (result.byBand.bound <= known)

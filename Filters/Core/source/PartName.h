@@ -45,11 +45,14 @@ public:
   {
     return this->part_.empty() ? this->input_ : this->part_ + " of " + this->input_;
   }
-  /// The text at the beginning of a sentence.
+  /// The text at the beginning of a sentence; empty for an input without a name.
   std::string atBeginning() const
   {
     std::string text = this->text();
-    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+    {
+      text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    }
     return text;
   }
   /// "point 3 of cell 2"; empty if this is the input itself.

@@ -684,6 +684,38 @@ TEST(FacesWithoutArea, APathAcrossAPocketEnds)
   }
 }
 
+// The path begins on the edge from 7 to 2, at the place of vertex 10 but for a rounding, so that
+// its first piece crosses faces without area. It is found from its other end alone.
+TEST(FacesWithoutArea, APathFromBesideAVertexBehindThemIsWhole)
+{
+  PlainMesh mesh;
+  mesh.points = { { 0, 0, 0 }, { 0.98590801700630815, 0, 0 }, { 2.0625252825518974, 0, 0 },
+    { 3.0937709711581611, 0, 0 }, { 0, 1, 0 }, { 0.81337405258489337, 1, 0 },
+    { 2.2678772197448298, 1, 0 }, { 3.2069828500569599, 1, 0 },
+    { 0.15907791655864162, 0.19557781079085795, 0 }, { 1.3229032976143098, 0.2628731485031916, 0 },
+    { 2.1429814394157134, 0.070300690168192001, 0 }, { 2.5542848837321706, 0.42968792827532926, 0 },
+    { 2.8572456169272065, 0.69440786355042716, 0 } };
+  mesh.triangles = { { 0, 8, 4 }, { 8, 5, 4 }, { 5, 0, 1 }, { 5, 8, 0 }, { 1, 9, 5 }, { 9, 6, 5 },
+    { 6, 1, 7 }, { 1, 6, 9 }, { 2, 10, 1 }, { 10, 11, 1 }, { 11, 12, 1 }, { 12, 7, 1 }, { 7, 2, 3 },
+    { 7, 12, 11 }, { 2, 7, 11 }, { 11, 10, 2 } };
+  const TriangleMesh engine = engineMesh(mesh);
+  const Vec3& a = mesh.points[7];
+  const Vec3& b = mesh.points[2];
+  const SurfacePoint from = SurfacePoint::onEdge(36, 0.92969930983180815);
+  ASSERT_EQ(engine.origin(from.id), 7U);
+  ASSERT_EQ(engine.destination(from.id), 2U);
+  const SurfacePoint to = SurfacePoint::atVertex(8);
+  const std::vector<SurfacePoint> path = geodesic::joinByShortestPaths(engine)(from, to, {});
+  const Vec3 begin = { a[0] + from.u * (b[0] - a[0]), a[1] + from.u * (b[1] - a[1]), 0.0 };
+  EXPECT_NEAR(lengthOf(engine, path), spaceDistance(begin, mesh.points[8]), 1e-12);
+  EXPECT_TRUE(samePlace(engine, path.front(), from));
+  EXPECT_TRUE(samePlace(engine, path.back(), to));
+  for (std::size_t i = 1; i < path.size(); ++i)
+  {
+    EXPECT_NE(commonFace(engine, path[i - 1], path[i]), geodesic::NoId) << "piece " << i;
+  }
+}
+
 TEST(FacesWithoutArea, PocketsChangeNoDistanceAndPathsAcrossThemEnd)
 {
   double worst = 0.0;

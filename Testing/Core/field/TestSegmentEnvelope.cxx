@@ -317,3 +317,22 @@ TEST(FaceDistance, IsThatThroughAWindowWhoseSourceIsHardlyBelowTheHalfedge)
   }
   EXPECT_GT(onHalfedge, 0);
 }
+
+// The distance then passes the value somewhere on a segment of hardly any length.
+TEST(SegmentCrossings, WithoutAnEnvelopeAgreeWithTheEnds)
+{
+  for (const bool beginsBelow : { false, true })
+  {
+    for (const bool endsBelow : { false, true })
+    {
+      std::vector<geodesic::SegmentCrossing> found;
+      geodesic::findCrossings({}, 1.0, beginsBelow, endsBelow, found);
+      ASSERT_EQ(found.size(), beginsBelow != endsBelow ? 1U : 0U);
+      for (const geodesic::SegmentCrossing& crossing : found)
+      {
+        EXPECT_EQ(crossing.at, 0.0);
+        EXPECT_EQ(crossing.rises, beginsBelow);
+      }
+    }
+  }
+}

@@ -205,3 +205,71 @@ TEST(ThinFaces, OfStripsFewWindowsGoOn)
     geodesic::solve(mesh, { { { SurfacePoint::atVertex(0) }, {}, { 0 } } }, options);
   EXPECT_LE(field.windowsPropagated(), 12U * mesh.numberOfEdges());
 }
+
+namespace
+{
+
+/// Counts the lists that pass through thin faces, and those whose nearest window is behind the
+/// front then.
+class LateLists : public geodesic::Retention
+{
+public:
+  explicit LateLists(const TriangleMesh& mesh)
+    : mesh_(mesh)
+  {
+  }
+
+  bool needsInside() const override { return true; }
+  void pass(std::size_t, const geodesic::PassedList& list, Id, WindowPool& pool) override
+  {
+    if (this->mesh_.shape(TriangleMesh::faceOf(list.halfedge)).isThin())
+    {
+      double nearest = geodesic::Infinity;
+      for (const Window& w : list.windows.range())
+      {
+        nearest = std::min(nearest, w.minimum());
+      }
+      this->nearest_.push_back(nearest);
+    }
+    pool.free(list.windows);
+  }
+  void advance(const geodesic::FrontState& front) override
+  {
+    this->all += this->nearest_.size();
+    for (const double nearest : this->nearest_)
+    {
+      this->late += nearest < front.key * (1.0 - 1e-12) ? 1 : 0;
+    }
+    this->nearest_.clear();
+  }
+
+  std::size_t all = 0;
+  std::size_t late = 0;
+
+private:
+  const TriangleMesh& mesh_;
+  std::vector<double> nearest_; // of the lists of this batch
+};
+
+}
+
+// As in MMP, whatever other windows of the list or of its vertex are due when.
+TEST(ThinFaces, ListsPassWhenTheFrontIsAsFarAsTheirNearestWindow)
+{
+  for (std::uint64_t seed = 0; seed < 10; ++seed)
+  {
+    Random random(seed);
+    for (const PlainMesh& plain :
+      { openCylinder(random.between(50, 200), random.between(1, 4), 3000.0),
+        torus(random.between(4, 8), random.between(20, 60), 30.0),
+        roundCone(random.between(20, 60), random.between(1, 3), 2000.0) })
+    {
+      const TriangleMesh mesh = engineMesh(plain);
+      const Id source = static_cast<Id>(random.below(mesh.numberOfVertices()));
+      LateLists lists(mesh);
+      propagate(mesh, { geodesic::pointCurve(SurfacePoint::atVertex(source)) }, {}, lists);
+      EXPECT_GT(lists.all, 0U);
+      EXPECT_EQ(lists.late, 0U) << "of " << lists.all << ", seed " << seed;
+    }
+  }
+}

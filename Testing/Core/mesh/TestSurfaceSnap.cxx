@@ -124,6 +124,21 @@ TEST(SurfaceSnap, FarFromTheOriginAPointKeepsItsPlaceInTheFace)
     SurfacePoint::Kind::Vertex);
 }
 
+// The precision of a point follows from the largest of its own coordinates, too.
+TEST(SurfaceSnap, APointFarFromTheFaceIsAsPreciseAsItsCoordinates)
+{
+  const TriangleMesh mesh =
+    engineMesh({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } });
+  constexpr double beside = 1e-8; // less than a rounding at a height of 1e9, more than at 1
+  const auto kindAt = [&](double x, double y, double height) {
+    return snapToFace(mesh, 0, { x, y, height }, Epsilon).place.kind;
+  };
+  EXPECT_EQ(kindAt(beside, beside, 1e9), SurfacePoint::Kind::Vertex);
+  EXPECT_EQ(kindAt(0.4, beside, 1e9), SurfacePoint::Kind::Edge);
+  EXPECT_EQ(kindAt(beside, beside, 1.0), SurfacePoint::Kind::Face);
+  EXPECT_EQ(kindAt(0.4, beside, 1.0), SurfacePoint::Kind::Face);
+}
+
 TEST(SurfaceSnap, AFaceWithoutAreaHasAClosestPoint)
 {
   const PlainMesh plain = { { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 } }, { { 0, 1, 2 } } };

@@ -7,6 +7,7 @@
 #include "truth/RandomMeshKinds.h"
 
 #include "Errors.h"
+#include "field/FaceDistance.h"
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SolveForRefinement.h"
 
@@ -169,6 +170,37 @@ TEST(RefinementOfACoarsePlane, OfAnApproximateFieldMeetsTheTolerance)
       meetsToleranceOfItsField(plane, source, relativeError, fraction, random);
     }
   }
+}
+
+// In an approximate field the faces at an edge have different distances there: the least counts.
+TEST(RefinementOfApproximateFields, PointsOnEdgesHaveTheLeastDistanceOfAllFacesThere)
+{
+  std::size_t different = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed)
+  {
+    Random random(seed);
+    const geodesic::TriangleMesh mesh = engineMesh(bumpySheet(6, 6, 0, 0.5, random));
+    const geodesic::Id source = static_cast<geodesic::Id>(random.below(mesh.numberOfVertices()));
+    const geodesic::DistanceField field = solveKeepingAll(
+      mesh, { geodesic::pointCurve(geodesic::SurfacePoint::atVertex(source)) }, 0.05);
+    for (const geodesic::RefinedPoint& point : refineTo(field, 0.02).points)
+    {
+      double least = geodesic::Infinity;
+      double largest = 0.0;
+      forEachFace(mesh, point.place,
+        [&](geodesic::Id number)
+        {
+          const geodesic::FaceDistance face(field, number);
+          const double distance =
+            face.distance(face.inPlane(barycentric(mesh, point.place, number)));
+          least = std::min(least, distance);
+          largest = std::max(largest, distance);
+        });
+      ASSERT_NEAR(point.distance, least, 1e-12) << "seed " << seed;
+      different += largest > least + 1e-9 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(different, 100U);
 }
 
 TEST(RefinementOfBoundaryFields, IsNowhereOverTheTolerance)

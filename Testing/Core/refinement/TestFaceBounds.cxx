@@ -181,6 +181,18 @@ TEST(FaceBounds, HoldWhereverTheWindowsComeFrom)
   EXPECT_GT(steep, 100) << "few had an interpolant steeper than a distance";
 }
 
+// The middle of the longest edge is the place of the corner opposite, which the interpolant along
+// the edge does not know.
+TEST(FaceBounds, HoldInAFaceWithoutArea)
+{
+  const TriangleMesh mesh =
+    engineMesh({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 0, 0 } }, { { 0, 1, 2 } } });
+  ASSERT_EQ(mesh.shape(0).area2, 0.0);
+  const Corners d = { 0.5, 0.5, 0.0 };
+  EXPECT_GE(geodesic::boundsOfFace(mesh, 0, d, {}, 10.0).below, 0.5);
+  EXPECT_GE(geodesic::boundsFromBands(mesh, 0, d, { true, true, true }, 0.1).below, 0.5);
+}
+
 // Corners may have become nearer since; then nothing is claimed about them.
 TEST(FaceBounds, NothingThroughAHalfedgeIsFartherBelowWhateverTheCorners)
 {

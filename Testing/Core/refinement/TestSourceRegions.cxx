@@ -385,3 +385,35 @@ TEST(RegionsBySides, AreNarrowBehindTheEndsAndNotRefinedAlongTheCurve)
   EXPECT_GT(atBorders, 0U);
   EXPECT_GT(longAtCurve, 0U);
 }
+
+// The sources are seen from afar in almost the same direction: the distance is nearly linear across
+// the border, so its faces are dropped unless they are pinned.
+TEST(RegionsFarFromTheirSources, AreRefinedOnlyWithTheWindowsOfFacesAtTheBorder)
+{
+  const PlainMesh plain = regularGrid(30, 3);
+  Random random(1);
+  const CurveMaker maker(plain, random);
+  const std::vector<Polyline> curves = { maker.point(vertexPoint(plain, 0)),
+    maker.point(vertexPoint(plain, 3 * 31)) };
+  const Whole whole(plain, curves);
+  const Task task = whole.task(0.3);
+  geodesic::PinnedFaces none(task.surface, {});
+  std::optional<DistanceField> field = geodesic::trySolveForRefinement(
+    task.surface, task.sources, task.tolerance, task.frontOptions(), none);
+  ASSERT_TRUE(field);
+  std::vector<Id> dropped; // with corners on both sides of the border, y = 1.5
+  for (Id face = 0; face < whole.mesh.numberOfFaces(); ++face)
+  {
+    std::size_t above = 0;
+    for (const Id vertex : whole.mesh.triangle(face))
+    {
+      above += whole.mesh.point(vertex)[1] > 1.5 ? 1 : 0;
+    }
+    if (above % 3 != 0 && field->isDropped(face))
+    {
+      dropped.push_back(face);
+    }
+  }
+  ASSERT_FALSE(dropped.empty());
+  EXPECT_EQ(refineOf(task, std::move(*field)).refined.unknownAtBorders, dropped);
+}

@@ -148,3 +148,31 @@ TEST(AnglesAroundVertex, ADirectionARoundingBelowTheEdgeOfAStraightCornerIsAlong
   EXPECT_EQ(boundsIn(1, -1e-17), boundsIn(1, 0.0));
   EXPECT_EQ(boundsIn(2, -1e-17), boundsIn(2, 0.0));
 }
+
+// All faces lie in the plane. One of the segment's, without area, has no length along one of its
+// edges at the vertex.
+TEST(AnglesAroundVertex, BoundsInAFaceWithAnEdgeOfNoLengthHaveTheDirectionOfTheSegment)
+{
+  const TriangleMesh mesh({ { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 1, 0 }, { 0.5, -1, 0 } },
+    { { 2, 0, 1 }, { 0, 2, 3 }, { 1, 4, 2 } });
+  ASSERT_EQ(mesh.numberOfFaces(), 3U);
+  ASSERT_EQ(mesh.length(mesh.cornerAt(0, 0)), 0.0);
+  geodesic::SegmentEnd end;
+  end.from = geodesic::SurfacePoint::atVertex(0);
+  end.to = geodesic::SurfacePoint::atVertex(2);
+  end.face = 0;
+  std::array<int, 3> bounds{};
+  for (const auto& [face, bound] : wedgeAround(mesh, end.from, { end }))
+  {
+    ++bounds[face];
+    const Vec3& a = mesh.point(mesh.origin(bound.halfedge));
+    const Vec3& b = mesh.point(mesh.destination(bound.halfedge));
+    const double length = mesh.length(bound.halfedge);
+    ASSERT_GT(length, 0.0);
+    const geodesic::Vec2 x = { (b[0] - a[0]) / length, (b[1] - a[1]) / length };
+    const geodesic::Vec2 v = bound.vector;
+    EXPECT_NEAR(x.x * v.x - x.y * v.y, 1.0, 1e-14) << "face " << face;
+    EXPECT_NEAR(x.y * v.x + x.x * v.y, 0.0, 1e-14) << "face " << face;
+  }
+  EXPECT_EQ(bounds[0], 1);
+}

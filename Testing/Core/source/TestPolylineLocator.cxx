@@ -88,6 +88,33 @@ TEST(PolylineLocator, VerticesOfSeveralSheetsAreAllFound)
   }
 }
 
+// Whether a polyline stays on the edges is a question of its vertices, not of their places.
+TEST(PolylineLocator, AGivenVertexIsNotTheOneAtItsPlace)
+{
+  const PlainMesh sheet = geodesictest::regularGrid(2, 2);
+  const TriangleMesh mesh = engineMesh(geodesictest::merged(sheet, sheet));
+  const auto beyond = static_cast<Id>(sheet.points.size()); // the first vertex of the other sheet
+  const auto locateOn = [&mesh](Id second)
+  {
+    std::vector<LocatedPolyline> lines(1);
+    lines[0].points = { mesh.point(3), mesh.point(4), mesh.point(5) };
+    lines[0].vertices = { 3, second, NoId };
+    geodesictest::locate(mesh, lines);
+    return lines[0].faces;
+  };
+  for (const Id second : { Id{ 4 }, beyond + 4 })
+  {
+    const Faces faces = locateOn(second);
+    ASSERT_EQ(faces.size(), 3U);
+    ASSERT_EQ(faces[0].size(), 1U);
+    ASSERT_EQ(faces[1].size(), 1U);
+    EXPECT_TRUE(contains(mesh, faces[0][0], SurfacePoint::atVertex(3)));
+    EXPECT_TRUE(contains(mesh, faces[1][0], SurfacePoint::atVertex(second)));
+  }
+  EXPECT_EQ(locateOn(4)[2].size(), 2U) << "along the edges: a face of each vertex there";
+  EXPECT_EQ(locateOn(beyond + 4)[2].size(), 2 * around(mesh, 5).size());
+}
+
 TEST(PolylineLocator, PointsAtOnePlaceHaveTheSameFaces)
 {
   const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(3, 3));

@@ -105,6 +105,19 @@ Barycentric insideWeights(Random& random)
   return { a / (a + b + c), b / (a + b + c), c / (a + b + c) };
 }
 
+/// The windows of a segment, or of the same segment from its end to its beginning.
+std::vector<LeavingWindow> windowsOf(
+  const TriangleMesh& mesh, geodesic::SourceInFace segment, bool isReversed)
+{
+  if (isReversed)
+  {
+    std::swap(segment.a, segment.b);
+  }
+  std::vector<LeavingWindow> windows;
+  geodesic::addSegmentWindows(mesh, segment, windows);
+  return windows;
+}
+
 /// From vertex 0 to vertex 1 of a mesh whose first face has both.
 SourceCurve firstEdge()
 {
@@ -211,13 +224,7 @@ TEST(SourceWindows, RaysOfASegmentFromACornerLeaveThroughTheEdgeOnTheirSide)
     segment.a[corner] = 1.0;
     segment.b = insideWeights(random);
     const bool isReversed = random.chance(0.5);
-    if (isReversed)
-    {
-      std::swap(segment.a, segment.b);
-    }
-    std::vector<LeavingWindow> windows;
-    geodesic::addSegmentWindows(mesh, segment, windows);
-    for (const LeavingWindow& leaving : windows)
+    for (const LeavingWindow& leaving : windowsOf(mesh, segment, isReversed))
     {
       const Id k = (leaving.halfedge + 3 - corner) % 3;
       // The halfedge that begins at the corner is on the right of what leaves it.
@@ -259,13 +266,7 @@ TEST(SourceWindows, RaysOfASegmentNearlyAtARightAngleToAnEdgeStayOnTheirSideOfTh
       std::swap(segment.b[1], segment.b[2]);
     }
     const bool isReversed = random.chance(0.5);
-    if (isReversed)
-    {
-      std::swap(segment.a, segment.b);
-    }
-    std::vector<LeavingWindow> windows;
-    geodesic::addSegmentWindows(mesh, segment, windows);
-    for (const LeavingWindow& leaving : windows)
+    for (const LeavingWindow& leaving : windowsOf(mesh, segment, isReversed))
     {
       const bool isRight = leaving.window.origin.isRight() != isReversed;
       EXPECT_NE(leaving.halfedge, isRight ? 2U : 0U) << leaving.window.width();

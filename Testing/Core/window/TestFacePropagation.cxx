@@ -119,12 +119,6 @@ double at(const WindowRange& list, double x)
   return least;
 }
 
-void propagate(const ApexQuery& apex, const RandomFace& random, const CornerDistances& known,
-  LeavingWindows& leaving, Id maximum = Unlimited)
-{
-  propagateThroughFace(apex, random.face, known, maximum, leaving);
-}
-
 /// Each window behind an edge continues one of the list straight.
 template <typename OnEdge>
 void expectStraight(const WindowRange& list, const WindowRange& children, const OnEdge& onEdge)
@@ -358,7 +352,7 @@ TEST(FacePropagation, WindowsContinueStraightAndNoneIsMissing)
     const Window& last = list.windows().back();
     const CornerDistances known = { first.distance(first.begin) + first.begin,
       last.distance(last.end) + (r.length - last.end), apex.shortest.distance };
-    propagate(apex, r, known, leaving);
+    propagateThroughFace(apex, r.face, known, Unlimited, leaving);
     const auto onLeft = [&r](double x) { return r.onLeft(x); };
     const auto onRight = [&r](double x) { return r.onRight(x); };
     expectStraight(list.range(), leaving.left.range(), onLeft);
