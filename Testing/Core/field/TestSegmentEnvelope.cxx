@@ -318,15 +318,25 @@ TEST(FaceDistance, IsThatThroughAWindowWhoseSourceIsHardlyBelowTheHalfedge)
   EXPECT_GT(onHalfedge, 0);
 }
 
-// The distance then passes the value somewhere on a segment of hardly any length.
-TEST(SegmentCrossings, WithoutAnEnvelopeAgreeWithTheEnds)
+// The distance then passes the value at the one point.
+TEST(SegmentCrossings, OnASegmentWithoutLengthAgreeWithTheEnds)
 {
+  const geodesic::TriangleMesh mesh =
+    engineMesh({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } });
+  Window w{};
+  w.end = mesh.length(0);
+  w.sourceX = 0.5;
+  w.sourceDepth = 1.0;
+  const geodesic::DistanceField field = fieldOf(mesh, 0, w, 100.0);
+  const FaceDistance face(field, 0);
+  const geodesic::Vec2 point = face.inPlane({ 0.5, 0.5, 0.0 });
   for (const bool beginsBelow : { false, true })
   {
     for (const bool endsBelow : { false, true })
     {
+      SegmentEnvelope envelope;
       std::vector<geodesic::SegmentCrossing> found;
-      geodesic::findCrossings({}, 1.0, beginsBelow, endsBelow, found);
+      envelope.findCrossings(face, point, point, w.sourceDepth, beginsBelow, endsBelow, found);
       ASSERT_EQ(found.size(), beginsBelow != endsBelow ? 1U : 0U);
       for (const geodesic::SegmentCrossing& crossing : found)
       {
