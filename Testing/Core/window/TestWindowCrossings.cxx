@@ -204,6 +204,15 @@ Pair farSources(Random& random)
   return { a, through(far(std::pow(10.0, random.uniform(1.0, 4.0))), a, inside(random)) };
 }
 
+/// As neighbours in a list, and windows at a saddle vertex.
+Pair equalAtOneEnd(Random& random)
+{
+  const Window a = circle(random.uniform(0.0, 2.0), random);
+  const Window b = random.chance(0.7) ? circle(random.uniform(0.0, 2.0), random) : line(random);
+  const Pair pair = { a, through(b, a, random.chance(0.5) ? Lo : Hi) };
+  return random.chance(0.5) ? pair : Pair{ pair.b, pair.a };
+}
+
 /// The way from one source passes the other, or nearly so: beyond it the two nearly coincide.
 Pair oneBehindTheOther(Random& random)
 {
@@ -236,7 +245,8 @@ const std::vector<PairKind>& pairKinds()
   static const std::vector<PairKind> kinds = { { "EqualSigma", equalSigma, { 0, 1 } },
     { "TwoSigmas", twoSigmas, { 0, 1, 2 } }, { "CircleAndLine", circleAndLine, { 0, 1, 2 } },
     { "TwoLines", twoLines, { 0, 1 } }, { "NearSources", nearSources, { 0, 1, 2 } },
-    { "FarSources", farSources, { 1, 2 } }, { "OneBehindTheOther", oneBehindTheOther, { 0, 1, 2 } },
+    { "FarSources", farSources, { 1, 2 } }, { "EqualAtOneEnd", equalAtOneEnd, { 0, 1 } },
+    { "OneBehindTheOther", oneBehindTheOther, { 0, 1, 2 } },
     { "CircleBesideALine", circleBesideALine, { 0, 1 } } };
   return kinds;
 }
