@@ -129,6 +129,24 @@ double smallestAngle(const DistanceField& field, const RefinedMesh& refined)
   return least;
 }
 
+/// Refines the distance to a random point: the surface, half of its smallest angle, and the bound
+/// of the error hold.
+void checkRefinement(const PlainMesh& plain, Random& random)
+{
+  const TriangleMesh mesh = engineMesh(plain);
+  const auto curves = engineCurves(mesh, Sources{ { randomPoint(plain, random) }, {} });
+  const DistanceField whole = solveKeepingAll(mesh, curves);
+  const double largest = largestFinite(whole.vertexDistances());
+  const double tolerance = largest * random.uniform(0.0005, 0.01);
+  const RefinedMesh refined = refineTo(solveForRefinement(mesh, curves, tolerance), tolerance);
+  EXPECT_LE(refined.errorBound, tolerance);
+  expectSameSurface(whole, refined);
+  EXPECT_GE(smallestAngle(whole, refined), 0.5 * smallestAngle(mesh));
+  constexpr int inEachTriangle = 100;
+  EXPECT_LE(largestDifferenceInside(whole, refined, inEachTriangle, random),
+    refined.errorBound + EngineAccuracy * largest);
+}
+
 struct ThinKind
 {
   const char* name;
@@ -148,20 +166,17 @@ TEST_P(ThinRefinement, KeepsTheSurfaceItsAnglesAndTheBound)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    const PlainMesh plain = GetParam().make(random);
-    const TriangleMesh mesh = engineMesh(plain);
-    const auto curves = engineCurves(mesh, Sources{ { randomPoint(plain, random) }, {} });
-    const DistanceField whole = solveKeepingAll(mesh, curves);
-    const double largest = largestFinite(whole.vertexDistances());
-    const double tolerance = largest * random.uniform(0.0005, 0.01);
-    const RefinedMesh refined = refineTo(solveForRefinement(mesh, curves, tolerance), tolerance);
-    EXPECT_LE(refined.errorBound, tolerance);
-    expectSameSurface(whole, refined);
-    EXPECT_GE(smallestAngle(whole, refined), 0.5 * smallestAngle(mesh));
-    constexpr int inEachTriangle = 100;
-    EXPECT_LE(largestDifferenceInside(whole, refined, inEachTriangle, random),
-      refined.errorBound + EngineAccuracy * largest);
+    checkRefinement(GetParam().make(random), random);
   }
+}
+
+// A round triangle whose edge is halved gets parts with the cuts of its thin neighbours. In this
+// plate they left less than half of the smallest angle.
+TEST(RefinementBesideThinTriangles, KeepsTheAnglesOfARoundOne)
+{
+  Random random(3104);
+  const PlainMesh plate = plateWithHole(random);
+  checkRefinement(plate, random);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ThinRefinement,
