@@ -343,7 +343,8 @@ inline vtkSmartPointer<vtkPolyData> Polyline(
   return curve;
 }
 
-inline double DistanceToSegment(const Point& p, const Point& a, const Point& b)
+/// Where on a segment it is nearest to p, as a fraction of the way from a to b.
+inline double FractionNearestTo(const Point& p, const Point& a, const Point& b)
 {
   double along = 0.0;
   double length2 = 0.0;
@@ -352,7 +353,12 @@ inline double DistanceToSegment(const Point& p, const Point& a, const Point& b)
     along += (p[k] - a[k]) * (b[k] - a[k]);
     length2 += (b[k] - a[k]) * (b[k] - a[k]);
   }
-  const double t = length2 > 0.0 ? std::clamp(along / length2, 0.0, 1.0) : 0.0;
+  return length2 > 0.0 ? std::clamp(along / length2, 0.0, 1.0) : 0.0;
+}
+
+inline double DistanceToSegment(const Point& p, const Point& a, const Point& b)
+{
+  const double t = FractionNearestTo(p, a, b);
   return std::hypot(p[0] - a[0] - t * (b[0] - a[0]), p[1] - a[1] - t * (b[1] - a[1]),
     p[2] - a[2] - t * (b[2] - a[2]));
 }
