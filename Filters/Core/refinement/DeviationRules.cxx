@@ -99,9 +99,7 @@ bool DeviationRules::isBetweenThinLeaves(Id edge) const
 
 bool DeviationRules::mustSplit(Id part) const
 {
-  const RedGreenMesh::Edge& edge = this->triangles_.edgeData(part);
-  const double length = norm(this->triangles_.inPlane(edge.ends[1], edge.face) -
-    this->triangles_.inPlane(edge.ends[0], edge.face));
+  const double length = this->triangles_.lengthOf(part);
   bool must = this->workers_.deviation(part).largest() > this->tolerance_;
   this->triangles_.forEachLeafAround(part,
     [&](Id leaf)

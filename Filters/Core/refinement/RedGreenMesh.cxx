@@ -61,27 +61,22 @@ double squaredNorm(Vec2 v)
   return dot(v, v);
 }
 
+std::array<double, 3> squaredSides(const std::array<Vec2, 3>& corners)
+{
+  return { squaredNorm(corners[1] - corners[0]), squaredNorm(corners[2] - corners[1]),
+    squaredNorm(corners[0] - corners[2]) };
+}
+
 Id longestSide(const std::array<Vec2, 3>& corners)
 {
-  Id longest = 0;
-  double length2 = -1.0;
-  for (Id k = 0; k < 3; ++k)
-  {
-    const double ofSide = squaredNorm(corners[(k + 1) % 3] - corners[k]);
-    longest = ofSide > length2 ? k : longest;
-    length2 = std::max(length2, ofSide);
-  }
-  return longest;
+  const std::array<double, 3> sides = squaredSides(corners);
+  return static_cast<Id>(std::max_element(sides.begin(), sides.end()) - sides.begin());
 }
 
 Id shortestSide(const std::array<Vec2, 3>& corners)
 {
-  std::array<double, 3> lengths2;
-  for (Id k = 0; k < 3; ++k)
-  {
-    lengths2[k] = squaredNorm(corners[(k + 1) % 3] - corners[k]);
-  }
-  return static_cast<Id>(std::min_element(lengths2.begin(), lengths2.end()) - lengths2.begin());
+  const std::array<double, 3> sides = squaredSides(corners);
+  return static_cast<Id>(std::min_element(sides.begin(), sides.end()) - sides.begin());
 }
 
 // A triangle is thin if its height over the longest side is under this fraction of that side.
@@ -172,6 +167,12 @@ double RedGreenMesh::height(Id triangle) const
   const Id k = longestSide(p);
   const Vec2 side = p[(k + 1) % 3] - p[k];
   return cross(side, p[(k + 2) % 3] - p[k]) / norm(side);
+}
+
+double RedGreenMesh::lengthOf(Id edge) const
+{
+  const Edge& e = this->edges_[edge];
+  return norm(this->inPlane(e.ends[1], e.face) - this->inPlane(e.ends[0], e.face));
 }
 
 Id RedGreenMesh::pointsOnEdges(Id triangle) const

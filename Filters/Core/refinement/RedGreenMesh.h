@@ -152,6 +152,8 @@ public:
   Id longestEdge(Id triangle) const;
   /// The height of a triangle over its longest edge.
   double height(Id triangle) const;
+  /// The length of an edge, or of a part of one.
+  double lengthOf(Id edge) const;
   /// The number of a leaf's split edges.
   Id splitEdges(Id triangle) const;
   /// The number of points on a leaf's edges.

@@ -92,8 +92,7 @@ std::unique_ptr<RefinementWorkers::PartOfEdge> RefinementWorkers::partOf(
   if (whole == nullptr)
   {
     part->distance = worker.distances.along(id);
-    part->end = norm(this->triangles_.inPlane(data.ends[1], data.face) -
-      this->triangles_.inPlane(data.ends[0], data.face));
+    part->end = this->triangles_.lengthOf(id);
     return part;
   }
   const double middle =
