@@ -17,6 +17,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkTestErrorObserver.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -100,22 +101,31 @@ private:
   vtkNew<vtkTest::ErrorObserver> ExecutiveObserver;
 };
 
-/// Calls a function at an event of an object.
+/// Calls a function at an event of an object, for as long as both exist.
 class Listener
 {
 public:
   Listener(vtkObject* object, unsigned long event, std::function<void()> function)
-    : Function(std::move(function))
+    : Object(object)
+    , Function(std::move(function))
   {
     this->Command->SetClientData(this);
     this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void*)
       { static_cast<Listener*>(self)->Function(); });
     object->AddObserver(event, this->Command);
   }
+  ~Listener()
+  {
+    if (this->Object)
+    {
+      this->Object->RemoveObserver(this->Command);
+    }
+  }
   Listener(const Listener&) = delete;
   void operator=(const Listener&) = delete;
 
 private:
+  vtkWeakPointer<vtkObject> Object;
   std::function<void()> Function;
   vtkNew<vtkCallbackCommand> Command;
 };

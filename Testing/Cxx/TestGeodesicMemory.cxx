@@ -9,8 +9,8 @@
 #include <atomic>
 #include <cstdlib>
 #include <fstream>
+#include <memory>
 #include <new>
-#include <set>
 
 #ifdef __linux__
 #include <malloc.h>
@@ -172,12 +172,11 @@ std::string StageOf(double progress)
                          : "output";
 }
 
-/// From no memory at all to enough, in steps small enough for every stage to fail once.
-void CheckLimits(Check& check, int threads, const std::vector<std::string>& expected)
+/// From no memory at all to enough.
+void CheckLimits(Check& check, int threads)
 {
   SetThreads(threads);
   const auto surface = Surface();
-  std::set<std::string> stages;
   bool enough = false;
   for (std::size_t more = 0; !enough && more < (std::size_t(1) << 30);
        more += (std::size_t(1) << 18) + more / 8)
@@ -186,34 +185,58 @@ void CheckLimits(Check& check, int threads, const std::vector<std::string>& expe
       std::to_string(threads) + " threads with " + std::to_string(more >> 10) + " kB";
     vtkNew<vtkGeodesicDistanceField> filter;
     SetUp(filter, surface);
-    double progress = 0.0;
-    Listener listener(filter, vtkCommand::ProgressEvent,
-      [&] { progress = filter->GetProgress() < 1.0 ? filter->GetProgress() : progress; });
     Messages messages(filter);
     {
       const Limit limit(more);
       messages.Update();
     }
     enough = messages.Error().empty();
-    if (!enough)
-    {
-      CheckRefused(check, filter, messages, name);
-      if (stages.insert(StageOf(progress)).second)
-      {
-        CheckRight(check, filter, name);
-      }
-    }
-    else
+    if (enough)
     {
       CheckDistances(check, filter, DistanceTo({ Source }), name);
     }
+    else
+    {
+      CheckRefused(check, filter, messages, name);
+    }
   }
   check.That(enough, "there is a limit that is enough");
-  for (const std::string& stage : expected)
+}
+
+/// From this progress of the filter on there is no more memory than the process has by then.
+/// The error says what the filter was doing: the stage of this progress runs out of memory.
+void CheckStage(
+  Check& check, int threads, vtkPolyData* surface, double progress, const std::string& doing)
+{
+  const std::string name = std::to_string(threads) + " threads, no memory for " + doing;
+  vtkNew<vtkGeodesicDistanceField> filter;
+  SetUp(filter, surface);
+  Messages messages(filter);
   {
-    check.That(stages.count(stage) > 0,
-      std::to_string(threads) + " threads: memory ran out in the stage: " + stage);
+    std::unique_ptr<const Limit> limit;
+    Listener listener(filter, vtkCommand::ProgressEvent,
+      [&]
+      {
+        if (!limit && filter->GetProgress() >= progress)
+        {
+          limit = std::make_unique<const Limit>(0);
+        }
+      });
+    messages.Update();
   }
+  check.That(Contains(messages.Error(), "ran out while " + doing), name + ": " + messages.Error());
+  CheckRefused(check, filter, messages, name);
+  CheckRight(check, filter, name);
+}
+
+void CheckStages(Check& check, int threads)
+{
+  SetThreads(threads);
+  const auto surface = Surface();
+  CheckStage(check, threads, surface, 0.0, "reading the surface");
+  CheckStage(check, threads, surface, 0.26, "computing the distances");
+  CheckStage(check, threads, surface, 0.56, "refining the surface");
+  CheckStage(check, threads, surface, 0.96, "writing the outputs");
 }
 
 std::size_t MemoryOfTheSystem()
@@ -279,8 +302,11 @@ void CheckLimits(Check& check)
   mallopt(M_MMAP_THRESHOLD, 1 << 17);
   mallopt(M_TRIM_THRESHOLD, 1 << 17);
   mallopt(M_ARENA_MAX, 1);
-  CheckLimits(check, 1, { "mesh", "solve", "refinement", "output" });
-  CheckLimits(check, 2, { "solve", "refinement", "output" });
+  for (const int threads : { 1, 2 })
+  {
+    CheckLimits(check, threads);
+    CheckStages(check, threads);
+  }
 }
 
 #else
