@@ -166,8 +166,6 @@ private:
   vtkGeodesicContour(const vtkGeodesicContour&) = delete;
   void operator=(const vtkGeodesicContour&) = delete;
 
-  class vtkWorker;
-
   vtkNew<vtkContourValues> ContourValues;
   double ChordTolerance = 0.0001;
   bool ToleranceIsAbsolute = false;

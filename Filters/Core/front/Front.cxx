@@ -51,10 +51,10 @@ public:
     , outlooks_(districtNumbers_.size())
     , complete_(surface, options.maximumDistance)
     , mailboxes_(districtNumbers_.size())
-    , tasks_{ surface, mesh_, options, districtNumbers_, vertices_, complete_, mailboxes_,
+    , context_{ surface, mesh_, options, districtNumbers_, vertices_, complete_, mailboxes_,
       retention }
     , workers_(options.job)
-    , ranks_(tasks_, districts_, workers_.first().pool)
+    , ranks_(context_, districts_, workers_.first().pool)
   {
     this->districts_.reserve(this->districtNumbers_.size());
     for (Id number = 0; number < this->districtNumbers_.size(); ++number)
@@ -98,8 +98,8 @@ private:
     for (const LeavingWindow& leaving : initial.windows)
     {
       District& sender = this->districtOf(this->mesh_.origin(leaving.halfedge));
-      this->tasks_.send(
-        this->workers_.first(), sender, leaving.halfedge, { &leaving.window, &leaving.window + 1 });
+      sendWindows(this->context_, this->workers_.first(), sender, leaving.halfedge,
+        { &leaving.window, &leaving.window + 1 });
       this->mailboxes_.notify(sender.number);
     }
     this->result_.sourcesInFaces = std::move(initial.inFaces);
@@ -290,7 +290,7 @@ private:
   template <typename Fill>
   void runBatch(const Fill& fill)
   {
-    ++this->batches_;
+    ++this->context_.batch;
     this->runStep(
       [&](District& district)
       {
@@ -298,13 +298,13 @@ private:
         this->mailboxes_.notify(district.number);
       },
       [this](FrontWorker& worker, District& district)
-      { this->tasks_.processBatch(worker, district, this->batches_); });
+      { processBatch(this->context_, worker, district); });
     this->ranks_.exchangeLists();
     this->mailboxes_.takeReceivers(this->active_);
-    this->runStep([this](District& district) { this->tasks_.receiveUpdates(district); },
+    this->runStep([this](District& district) { receiveUpdates(this->context_, district); },
       [this](FrontWorker& worker, District& district)
       {
-        this->tasks_.receiveLists(worker, district);
+        receiveLists(this->context_, worker, district);
         if (district.isDone)
         {
           this->outlooks_[district.number] = district.schedule.outlook();
@@ -333,35 +333,31 @@ private:
   template <typename Begin, typename Task>
   void runStep(const Begin& begin, const Task& task)
   {
-    this->runTasks(
-      [&](FrontWorker& worker, District& district)
-      {
-        district.schedule.moveOn(this->key_);
-        district.done = 0;
-        begin(district);
-        task(worker, district);
-      });
-    const auto isPaused = [this](Id number) { return !this->districts_[number].isDone; };
-    while (std::any_of(this->active_.begin(), this->active_.end(), isPaused))
+    const auto isDone = [this](Id number) { return this->districts_[number].isDone; };
+    for (bool isFirstRound = true;; isFirstRound = false)
     {
-      this->options_.job.reach(this->done());
-      this->runTasks(
-        [&](FrontWorker& worker, District& district)
+      this->workers_.run(this->active_.size(),
+        [&](FrontWorker& worker, std::size_t i)
         {
+          District& district = this->districts_[this->active_[i]];
+          if (isFirstRound)
+          {
+            district.schedule.moveOn(this->key_);
+            district.done = 0;
+            district.isDone = false;
+            begin(district);
+          }
           if (!district.isDone)
           {
             task(worker, district);
           }
         });
+      if (std::all_of(this->active_.begin(), this->active_.end(), isDone))
+      {
+        return;
+      }
+      this->options_.job.reach(this->done());
     }
-  }
-
-  template <typename Task>
-  void runTasks(const Task& task)
-  {
-    this->workers_.run(this->active_.size(),
-      [&](FrontWorker& worker, std::size_t i)
-      { task(worker, this->districts_[this->active_[i]]); });
   }
 
   // The work of a batch outside of the districts.
@@ -392,7 +388,8 @@ private:
     }
     this->takeFromRanks(this->ranks_.exchangeArrivals(this->next_));
     this->retention_.advance(this->state());
-    this->tasks_.limitPaths(this->retention_.longestPath());
+    this->context_.longestPath =
+      std::min(this->context_.longestPath, this->retention_.longestPath());
     this->neededDistance_ = this->ranks_.neededDistance();
   }
 
@@ -438,7 +435,7 @@ private:
   {
     District& district = this->districtOf(update.vertex);
     district.schedule.moveOn(this->key_);
-    this->tasks_.shorten(district, update);
+    acceptUpdate(this->context_, district, update);
     this->reportShortened(district);
     this->mailboxes_.notify(district.number);
   }
@@ -535,13 +532,12 @@ private:
   std::vector<VertexSchedule::Outlook> outlooks_;
   CompleteFaces complete_;
   Mailboxes mailboxes_;
-  BatchTasks tasks_;
+  FrontContext context_;
   FrontWorkers workers_;
   FrontOnRanks ranks_;
 
-  /// The vertices of the current batch, and the number of batches so far.
+  /// The vertices of the current batch.
   std::vector<Id> batch_;
-  Id batches_ = 0;
   /// The number of vertices that are done.
   std::size_t settled_ = 0;
   /// The key at which the batch began: no path yet to be found is shorter.

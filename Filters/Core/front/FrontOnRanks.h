@@ -25,12 +25,12 @@ public:
   /// All that is given must outlive this.
   ///
   /// \param pool for lists that come from other ranks.
-  FrontOnRanks(const BatchTasks& tasks, std::vector<District>& districts, WindowPool& pool)
-    : tasks_(tasks)
-    , surface_(tasks.surface)
+  FrontOnRanks(const FrontContext& front, std::vector<District>& districts, WindowPool& pool)
+    : front_(front)
+    , surface_(front.surface)
     , districts_(districts)
     , pool_(pool)
-    , messages_(tasks.surface.exchange().noMessages())
+    , messages_(front.surface.exchange().noMessages())
   {
   }
 
@@ -68,7 +68,7 @@ private:
   void addList(const SentList& list);
   Received step(std::vector<double>& least);
 
-  const BatchTasks& tasks_;
+  const FrontContext& front_;
   const MeshPartition& surface_;
   std::vector<District>& districts_;
   WindowPool& pool_;
