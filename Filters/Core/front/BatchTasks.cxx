@@ -458,6 +458,7 @@ void receiveLists(const FrontContext& front, FrontWorker& worker, District& dist
   if (district.isDone)
   {
     front.mailboxes.clear(district.number);
+    front.outlooks[district.number] = district.schedule.outlook();
   }
 }
 

@@ -61,6 +61,8 @@ struct FrontContext
   const CompleteFaces& complete;
   Mailboxes& mailboxes;
   Retention& retention;
+  /// The next batch of each district.
+  std::vector<VertexSchedule::Outlook>& outlooks;
   /// The largest number of faces that a shortest path can cross.
   Id mostFaces = std::min(this->surface.numberOfGlobalFaces(), MaximumFacesCrossed);
   /// The number of the current batch.
@@ -76,11 +78,15 @@ struct FrontContext
 // and writes only to its district and its worker. So tasks of several districts may run at the
 // same time.
 
-/// Step (1) for the district's vertices in the batch; continues where it paused.
+/// Works on a district until it is done (District::isDone) or the worker has to pause. The next
+/// call continues there.
+using BatchTask = void(const FrontContext& front, FrontWorker& worker, District& district);
+
+/// Step (1): the district's vertices in the batch send their lists.
 void processBatch(const FrontContext& front, FrontWorker& worker, District& district);
 /// Step (2), first part: takes the distances sent to the district, which may make lists needless.
 void receiveUpdates(const FrontContext& front, District& district);
-/// Step (2), second part: takes the lists sent to the district; continues where it paused.
+/// Step (2), second part: takes the lists sent to the district, and finds its next batch.
 void receiveLists(const FrontContext& front, FrontWorker& worker, District& district);
 
 /// Accepts the path to a vertex of the district if it is shorter than the known one.
