@@ -15,7 +15,7 @@ namespace
 {
 
 /// A task fetches the memory of so many vertices or lists in advance, so that it does not wait.
-constexpr std::size_t ItemsAhead = 5;
+constexpr std::size_t ItemsAhead = 4;
 
 // Few lists shorten the path to their apex, so only these are asked where their path comes from,
 // and only if arrivals are kept, from where it starts and how it is directed.
@@ -320,10 +320,11 @@ bool processVertex(const FrontContext& front, FrontWorker& worker, District& dis
   return isDone;
 }
 
-// The face of the first list that waits for a vertex.
-void prefetchFacing(const FrontContext& front, const District& district, Id vertex)
+// Fetches the face of the first list that waits for a vertex of the batch, if the batch has so
+// many.
+void prefetchFacing(const FrontContext& front, const District& district, std::size_t i)
 {
-  const Id list = front.vertices[vertex].facing;
+  const Id list = i < district.batch.size() ? front.vertices[district.batch[i]].facing : NoId;
   if (list != NoId)
   {
     front.mesh.prefetch(TriangleMesh::faceOf(district.lists[list].halfedge));
@@ -392,13 +393,20 @@ void receiveList(const FrontContext& front, FrontWorker& worker, District& distr
 std::size_t receiveFrom(const FrontContext& front, FrontWorker& worker, District& district,
   const std::vector<SentList>& lists, std::size_t first)
 {
-  std::size_t prefetched = first;
+  const auto prefetch = [&](std::size_t i)
+  {
+    if (i < lists.size())
+    {
+      front.mesh.prefetch(TriangleMesh::faceOf(lists[i].halfedge));
+    }
+  };
+  for (std::size_t i = 0; i < ItemsAhead; ++i)
+  {
+    prefetch(first + i);
+  }
   for (std::size_t i = first; i < lists.size(); ++i)
   {
-    for (; prefetched < std::min(i + ItemsAhead, lists.size()); ++prefetched)
-    {
-      front.mesh.prefetch(TriangleMesh::faceOf(lists[prefetched].halfedge));
-    }
+    prefetch(i + ItemsAhead);
     if (worker.hasToPause())
     {
       return i;
@@ -413,13 +421,13 @@ std::size_t receiveFrom(const FrontContext& front, FrontWorker& worker, District
 void processBatch(const FrontContext& front, FrontWorker& worker, District& district)
 {
   const std::vector<Id>& vertices = district.batch;
-  std::size_t prefetched = district.done;
+  for (std::size_t i = 0; i < ItemsAhead; ++i)
+  {
+    prefetchFacing(front, district, district.done + i);
+  }
   for (; district.done < vertices.size(); ++district.done)
   {
-    for (; prefetched < std::min(district.done + ItemsAhead, vertices.size()); ++prefetched)
-    {
-      prefetchFacing(front, district, vertices[prefetched]);
-    }
+    prefetchFacing(front, district, district.done + ItemsAhead);
     if (!processVertex(front, worker, district, vertices[district.done]))
     {
       break;
