@@ -31,7 +31,7 @@ bool isAnyWindowWithin(const WindowRange& windows, double distance)
 /// vertex is processed.
 ///
 /// Vertices are processed in batches of nearly equal distance, and in districts (Districts), each
-/// with its own schedule and lists. A batch has the two steps of BatchTasks, each for all districts
+/// with its own schedule and lists. A batch has two steps (BatchTasks.h), each for all districts
 /// in parallel: (1) vertices send lists and distances by way of the Mailboxes; (2) each district
 /// takes its mail, in an order that does not depend on how tasks were run. Little work remains
 /// outside of the districts, mainly to find the begin and end of the next batch.

@@ -15,7 +15,7 @@ namespace geodesic
 ///
 /// Each rank processes the batch's vertices in the faces that it owns. Windows that leave through a
 /// seam go to the owners of the faces behind it; distances found at vertices of several ranks go to
-/// all of these. A batch is a superstep with two exchanges, one after each step of BatchTasks. All
+/// all of these. A batch is a superstep with two exchanges, one after each of its steps. All
 /// ranks have the same first and last key of a batch.
 ///
 /// All ranks make each call together, except addUpdate().
