@@ -42,7 +42,7 @@ struct LineValues
   std::vector<SidedValue> sides;
 };
 
-/// Values that the engine cannot tell apart, which drops digits of tiny ones, are one.
+/// Values that are equal in the engine, which drops digits of tiny numbers, count as one.
 ///
 /// \param values in the user's scale.
 LineValues FindValues(std::vector<double> values, const PowerOfTwoScale& scale)
@@ -87,8 +87,10 @@ Isolines OnSides(const DistanceField& field, const Isolines& isolines,
     isolines, sides, job.part(0.5, 1.0));
 }
 
+/// Solves up to the largest distance, and draws the lines.
+///
 /// \param chordTolerance in the engine's units.
-/// \param areSigned whether lines belong to one side of the source's curves.
+/// \param areSigned whether a line belongs to one side of the source's curves.
 Isolines Draw(const Inputs& inputs, const LineValues& wanted, double chordTolerance, bool areSigned,
   FilterExecution& execution)
 {
@@ -102,9 +104,11 @@ Isolines Draw(const Inputs& inputs, const LineValues& wanted, double chordTolera
   options.chordTolerance = chordTolerance;
   options.job = execution.begin(Stage::DrawLines);
   Isolines isolines = drawIsolines(field, options);
-  return areSigned
-    ? OnSides(field, isolines, wanted.sides, inputs, execution.begin(Stage::FindSides))
-    : isolines;
+  if (areSigned)
+  {
+    isolines = OnSides(field, isolines, wanted.sides, inputs, execution.begin(Stage::FindSides));
+  }
+  return isolines;
 }
 
 }

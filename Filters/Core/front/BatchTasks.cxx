@@ -166,8 +166,8 @@ void mergeNeighboursOf(
   }
 }
 
-// Tells the corners of a face what a list that enters it has found. Returns the distances known
-// then.
+// Sends the distances that a list has for the corners of its face, where they are shorter. Returns
+// the corners' distances with these.
 CornerDistances tellCorners(const FrontContext& front, District& district, Id halfedge,
   const UnfoldedFace& face, const ApexQuery& apex)
 {
@@ -320,8 +320,7 @@ bool processVertex(const FrontContext& front, FrontWorker& worker, District& dis
   return isDone;
 }
 
-// Fetches the face of the first list that waits for a vertex of the batch, if the batch has so
-// many.
+// Fetches the face of the first list that waits for vertex i of the batch, if there is one.
 void prefetchFacing(const FrontContext& front, const District& district, std::size_t i)
 {
   const Id list = i < district.batch.size() ? front.vertices[district.batch[i]].facing : NoId;
