@@ -62,9 +62,9 @@
  * filters and views downstream take the empty outputs, and the next execution without an error
  * shows everywhere. Scripts find the error in GetErrorCode() and GetErrorMessage().
  * @par
- * A warning, such as that the source or a target is farther than a hundredth of the surface's size
- * from it, is given when the execution before had no reason for it or something else has been
- * connected to the port that it is about: not at every time step.
+ * A warning (say, that the source is farther from the surface than a hundredth of the surface's
+ * size) is not repeated at every time step. It is given if the execution before had no reason for
+ * it, or if something else has been connected to the port that the warning is about.
  *
  * @par Pieces:
  * A piece of a surface has other distances than the whole. Whatever piece is asked for, in one
@@ -77,14 +77,13 @@
  * asked for downstream, and a rank's output is that of its own piece of the one surface. Ranks
  * exchange what passes their seams: no rank needs memory for the whole surface, and distances are
  * those of one process, to the last bits.
- * - Points of different pieces are one as those of blocks are (SetMergeCoincidentPoints()), and if
- *   their global ids are equal, where all pieces have these.
+ * - Points of different pieces are joined as points of different blocks are
+ *   (SetMergeCoincidentPoints()), and also if all pieces have global ids and theirs are equal.
  * - Ghost cells are treated as those of blocks, over all ranks. Boundary, counts and the numbers in
  *   field data are those of the whole, the same on every rank.
  * - Barriers count on all ranks, whichever has them.
  * - Sources and targets of all ranks are gathered; ids follow the ranks, then the blocks and the
- *   cells of each. What is the same on all ranks counts once. Rank 0 puts out what shows the
- * source.
+ *   cells of each. What is the same on all ranks counts once. What shows the source is on rank 0.
  * - If one rank has the whole surface and the others have nothing, it works as a process alone; if
  *   all have the same surface, each does.
  * - An error on one rank is given by all, with one message; an abort on one aborts all.

@@ -42,110 +42,76 @@ struct LineValues
   std::vector<SidedValue> sides;
 };
 
+/// Values that are equal in the engine, which drops digits of tiny numbers, count as one.
+///
+/// \param values in the user's scale.
+LineValues FindValues(std::vector<double> values, const PowerOfTwoScale& scale)
+{
+  LineValues found;
+  std::sort(values.begin(), values.end());
+  std::map<double, SidedValue> byDistance;
+  for (const double value : values)
+  {
+    const double inEngine = scale.toEngine(value);
+    found.hasZero = found.hasZero || inEngine == 0.0;
+    if (inEngine == 0.0 || !(std::abs(inEngine) < Infinity))
+    {
+      continue;
+    }
+    SidedValue& sides = byDistance[std::abs(inEngine)];
+    std::size_t& index = inEngine < 0.0 ? sides.right : sides.left;
+    if (index == SidedValue::None)
+    {
+      index = found.values.size();
+      found.values.push_back(value);
+    }
+  }
+  for (const auto& [distance, sides] : byDistance)
+  {
+    found.distances.push_back(distance);
+    found.sides.push_back(sides);
+  }
+  return found;
 }
 
-/// The work of one execution.
-class vtkGeodesicContour::vtkWorker
+/// Cuts lines where the side of the source's curves changes, and keeps the parts on the wanted
+/// sides.
+Isolines OnSides(const DistanceField& field, const Isolines& isolines,
+  const std::vector<SidedValue>& sides, const Inputs& inputs, const Job& job)
 {
-public:
-  vtkGeodesicContour* Self;
-  const geodesic::Inputs& Inputs;
-  FilterExecution& Execution;
+  const std::vector<SourceCurve>& curves = inputs.sources.curves;
+  NearestSource nearest(field, *inputs.patch, curves, job.part(0.0, 0.5));
+  return linesOnSides(
+    field, nearest,
+    [&](const Foot& foot) { return isOnRight(foot, curves, inputs.sources.firstBoundary); },
+    isolines, sides, job.part(0.5, 1.0));
+}
 
-  /// \throws Error
-  void Run(vtkPolyData* output) const
+/// Solves up to the largest distance, and draws the lines.
+///
+/// \param chordTolerance in the engine's units.
+/// \param areSigned whether a line belongs to one side of the source's curves.
+Isolines Draw(const Inputs& inputs, const LineValues& wanted, double chordTolerance, bool areSigned,
+  FilterExecution& execution)
+{
+  FrontOptions front;
+  front.keepArrivals = areSigned;
+  front.job = execution.begin(Stage::Solve);
+  const DistanceField field = solveForIsolines(
+    inputs.surface->partition, inputs.sourceWindows(front.job), wanted.distances, front);
+  IsolineOptions options;
+  options.values = wanted.distances;
+  options.chordTolerance = chordTolerance;
+  options.job = execution.begin(Stage::DrawLines);
+  Isolines isolines = drawIsolines(field, options);
+  if (areSigned)
   {
-    if (!this->Inputs.rank.isWorking())
-    {
-      const TriangleMesh none;
-      writeIsolines({ none, {}, {}, none, {} }, PowerOfTwoScale(), output, {});
-      return;
-    }
-    const PolyDataSurface& surface = *this->Inputs.surface;
-    if (this->Self->SignedDistances)
-    {
-      requireSides(surface, this->Inputs.surfaceBlocks, "SignedDistances");
-    }
-    const LineValues wanted = this->FindValues();
-    const Isolines isolines = this->Draw(wanted);
-    this->Execution.notes().add(NoteOn::Surface,
-      this->Inputs.sumOverPieces(isolines.linesWithoutDirection), "line crosses", "lines cross",
-      "faces of opposite orientation: the direction of such a line says nothing.");
-    const bool hasCurves = wanted.hasZero && this->Inputs.rank.writesSource();
-    writeIsolines({ surface.mesh(), isolines, wanted.values, this->Inputs.patch->mesh(),
-                    hasCurves ? this->Inputs.sources.curves : std::vector<SourceCurve>() },
-      surface.scale, output, this->Execution.begin(Stage::Write));
+    isolines = OnSides(field, isolines, wanted.sides, inputs, execution.begin(Stage::FindSides));
   }
+  return isolines;
+}
 
-  /// Values that the engine cannot tell apart, which drops digits of tiny ones, are one.
-  LineValues FindValues() const
-  {
-    LineValues found;
-    std::vector<double> sorted;
-    for (vtkIdType i = 0; i < this->Self->GetNumberOfContours(); ++i)
-    {
-      sorted.push_back(this->Self->GetValue(static_cast<int>(i)));
-    }
-    std::sort(sorted.begin(), sorted.end());
-    std::map<double, SidedValue> byDistance;
-    for (const double value : sorted)
-    {
-      const double inEngine = this->Inputs.surface->scale.toEngine(value);
-      found.hasZero = found.hasZero || inEngine == 0.0;
-      if (inEngine == 0.0 || !(std::abs(inEngine) < Infinity))
-      {
-        continue;
-      }
-      SidedValue& sides = byDistance[std::abs(inEngine)];
-      std::size_t& index = inEngine < 0.0 ? sides.right : sides.left;
-      if (index == SidedValue::None)
-      {
-        index = found.values.size();
-        found.values.push_back(value);
-      }
-    }
-    for (const auto& [distance, sides] : byDistance)
-    {
-      found.distances.push_back(distance);
-      found.sides.push_back(sides);
-    }
-    return found;
-  }
-
-  Isolines Draw(const LineValues& wanted) const
-  {
-    IsolineOptions options;
-    options.values = wanted.distances;
-    options.chordTolerance = this->Self->ToleranceIsAbsolute
-      ? this->Inputs.surface->scale.toEngine(this->Self->AbsoluteChordTolerance)
-      : this->Self->ChordTolerance * this->Inputs.surface->diagonal;
-    // On a surface without extent nothing but the source is at any distance.
-    if (options.values.empty() || !(options.chordTolerance > 0.0))
-    {
-      return {};
-    }
-    FrontOptions front;
-    front.keepArrivals = this->Self->SignedDistances;
-    front.job = this->Execution.begin(Stage::Solve);
-    const DistanceField field = solveForIsolines(this->Inputs.surface->partition,
-      this->Inputs.sourceWindows(front.job), wanted.distances, front);
-    options.job = this->Execution.begin(Stage::DrawLines);
-    Isolines isolines = drawIsolines(field, options);
-    return this->Self->SignedDistances ? this->OnSides(field, isolines, wanted.sides) : isolines;
-  }
-
-  Isolines OnSides(const DistanceField& field, const Isolines& isolines,
-    const std::vector<SidedValue>& sides) const
-  {
-    const std::vector<SourceCurve>& curves = this->Inputs.sources.curves;
-    const Job job = this->Execution.begin(Stage::FindSides);
-    NearestSource nearest(field, *this->Inputs.patch, curves, job.part(0.0, 0.5));
-    return linesOnSides(
-      field, nearest,
-      [&](const Foot& foot) { return isOnRight(foot, curves, this->Inputs.sources.firstBoundary); },
-      isolines, sides, job.part(0.5, 1.0));
-  }
-};
+}
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkGeodesicContour::GetMTime()
@@ -203,7 +169,37 @@ ExecutionPlan vtkGeodesicContour::Plan() const
 void vtkGeodesicContour::Compute(
   const Inputs& inputs, FilterExecution& execution, vtkInformationVector* outputVector)
 {
-  vtkWorker{ this, inputs, execution }.Run(vtkPolyData::GetData(outputVector, 0));
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  if (!inputs.rank.isWorking())
+  {
+    const TriangleMesh none;
+    writeIsolines({ none, {}, {}, none, {} }, PowerOfTwoScale(), output, {});
+    return;
+  }
+  const PolyDataSurface& surface = *inputs.surface;
+  if (this->SignedDistances)
+  {
+    requireSides(surface, inputs.surfaceBlocks, "SignedDistances");
+  }
+  const double* values = this->ContourValues->GetValues();
+  const LineValues wanted =
+    FindValues({ values, values + this->ContourValues->GetNumberOfContours() }, surface.scale);
+  const double chordTolerance = this->ToleranceIsAbsolute
+    ? surface.scale.toEngine(this->AbsoluteChordTolerance)
+    : this->ChordTolerance * surface.diagonal;
+  Isolines isolines;
+  // On a surface without extent nothing but the source is at any distance.
+  if (!wanted.distances.empty() && chordTolerance > 0.0)
+  {
+    isolines = Draw(inputs, wanted, chordTolerance, this->SignedDistances, execution);
+  }
+  execution.notes().add(NoteOn::Surface, inputs.sumOverPieces(isolines.linesWithoutDirection),
+    "line crosses", "lines cross",
+    "faces of opposite orientation: the direction of such a line says nothing.");
+  const bool hasCurves = wanted.hasZero && inputs.rank.writesSource();
+  writeIsolines({ surface.mesh(), isolines, wanted.values, inputs.patch->mesh(),
+                  hasCurves ? inputs.sources.curves : std::vector<SourceCurve>() },
+    surface.scale, output, execution.begin(Stage::Write));
 }
 
 //------------------------------------------------------------------------------

@@ -25,26 +25,26 @@
  * @par Output:
  * A vtkPolyData, also of composite inputs, with a polyline for each line; a closed one has its
  * first point again at the end. Lines that meet share points. They run so that the distance grows
- * to their left, seen with the normals of the faces towards the viewer; where the surface is not
- * consistently oriented their direction says nothing, with a warning. They end at the boundary and,
- * in shared points, at edges of three and more faces. Lines are in the ascending order of their
- * values, behind those of 0. Values over the largest distance give no lines. A value of 0 gives the
- * source as it lies on the surface, curves in their own direction and a vertex for each point.
- * There are
+ * to their left, seen with the normals of the faces towards the viewer. If the surface is not
+ * consistently oriented, their direction says nothing, and a warning tells so. They end at the
+ * boundary and, in shared points, at edges of three and more faces. Lines are in the ascending
+ * order of their values, behind those of 0. Values over the largest distance give no lines. A value
+ * of 0 gives the source as it lies on the surface, curves in their own direction and a vertex for
+ * each point. There are
  * - cell data array and point data array `GeodesicDistance`: the value,
- * - point data array `LineId`: the number of the cell that the point belongs to, so that a table of
- *   the points, which stand in the order of their lines, can be cut into lines again; of a point
- *   that lines share, the first of these.
+ * - point data array `LineId`: the number of the cell that the point belongs to; if lines share the
+ *   point, the first of them. Points stand in the order of their lines, so that a table of the
+ *   points can be cut into lines again.
  *
  * @par
- * A vertex of the surface at exactly a value counts as beyond it: the line passes it, at less than
- * a rounding of the distance, on the side that is nearer to the source.
+ * If the distance of a vertex equals a value exactly, the vertex counts as beyond it: the line
+ * passes the vertex on the side nearer to the source, by less than a rounding of the distance.
  *
  * @par Execution:
  * The propagation stops beyond the largest value, and keeps windows only of faces that may hold a
- * value. On several ranks each has the lines in its piece of the surface; they end at seams, where
- * those of another rank go on from points with the same coordinates. The source itself, at a value
- * of 0, is on rank 0.
+ * value. If there are several ranks, each has the lines in its piece of the surface. Lines end at
+ * seams, where the lines of another rank go on from points with the same coordinates. The source
+ * itself, at a value of 0, is on rank 0.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
@@ -78,11 +78,11 @@ public:
 
   ///@{
   /**
-   * The distances to draw lines at, in the units of the surface, as vtkContourFilter has its
-   * values: number i, all of them, or so many at equal steps from the first to the last of a range.
-   * There are none by default, and without any there is an error, as there is for a value that is
-   * infinite, NaN or, unless SignedDistances is on, negative. Their order does not matter, and
-   * equal ones count once.
+   * The distances to draw lines at, in the units of the surface. They are set as the values of
+   * vtkContourFilter: number i, all of them, or a number of values at equal steps from the first to
+   * the last of a range. By default there are no values, which is an error. A value that is
+   * infinite or NaN is an error, too, and so is a negative value unless SignedDistances is on. The
+   * order of the values does not matter, and equal values count once.
    */
   void SetValue(int i, double value) { this->ContourValues->SetValue(i, value); }
   double GetValue(int i) { return this->ContourValues->GetValue(i); }
@@ -107,8 +107,8 @@ public:
   /**
    * The largest distance of a chord from the arc that it stands for, as a fraction of the diagonal
    * of the bounding box of the points that faces use. Default: 0.0001. Used unless
-   * ToleranceIsAbsolute is on. Anything but a positive number is an error. Less than 1e-12 of an
-   * arc's radius counts as that: points are not more exact.
+   * ToleranceIsAbsolute is on. Anything but a positive number is an error. A tolerance below 1e-12
+   * of an arc's radius counts as 1e-12 of the radius: points are not more exact.
    */
   vtkSetMacro(ChordTolerance, double);
   vtkGetMacro(ChordTolerance, double);
@@ -165,8 +165,6 @@ protected:
 private:
   vtkGeodesicContour(const vtkGeodesicContour&) = delete;
   void operator=(const vtkGeodesicContour&) = delete;
-
-  class vtkWorker;
 
   vtkNew<vtkContourValues> ContourValues;
   double ChordTolerance = 0.0001;

@@ -96,7 +96,7 @@ struct FieldResult
 
 }
 
-/// The work of one execution: computes a FieldResult, and writes it.
+/// The parts of Compute(): they compute a FieldResult, and write it.
 class vtkGeodesicDistanceField::vtkWorker
 {
 public:
@@ -115,31 +115,6 @@ public:
   static bool AreBordersRefined(const vtkGeodesicDistanceField* self)
   {
     return self->RefineSourceBorders || self->GenerateTextureCoordinates;
-  }
-
-  /// \throws Error
-  void Run(vtkDataObject* output, vtkPolyData* curves) const
-  {
-    FieldResult result;
-    if (this->Inputs.rank.isWorking())
-    {
-      result = this->Compute();
-    }
-    this->Share(result);
-    const Job writing = this->Execution.begin(Stage::Write);
-    if (!this->Inputs.rank.isWorking())
-    {
-      this->WriteNothing(result, output);
-      return;
-    }
-    this->NoteReplacedArrays(result.isRefined);
-    this->WriteSurface(result, output, writing);
-    if (this->Inputs.rank.writesSource())
-    {
-      writeCurves(this->Inputs.patch->mesh(), this->Inputs.surface->scale,
-        this->Inputs.sources.curves, this->Inputs.sources.ids, result.bySource.arcLengthsOfCurves,
-        curves);
-    }
   }
 
   /// If another rank has done all the work, this one reports the same.
@@ -237,7 +212,8 @@ public:
     return true;
   }
 
-  FieldResult Compute() const
+  /// \throws Error
+  FieldResult ComputeResult() const
   {
     const PolyDataSurface& surface = *this->Inputs.surface;
     if (this->Choice.areSidesNeeded())
@@ -600,8 +576,28 @@ ExecutionPlan vtkGeodesicDistanceField::Plan() const
 void vtkGeodesicDistanceField::Compute(
   const Inputs& inputs, FilterExecution& execution, vtkInformationVector* outputVector)
 {
-  vtkWorker{ this, inputs, execution }.Run(
-    vtkDataObject::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 1));
+  const vtkWorker worker{ this, inputs, execution };
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  FieldResult result;
+  if (inputs.rank.isWorking())
+  {
+    result = worker.ComputeResult();
+  }
+  worker.Share(result);
+  const Job writing = execution.begin(Stage::Write);
+  if (!inputs.rank.isWorking())
+  {
+    worker.WriteNothing(result, output);
+    return;
+  }
+  worker.NoteReplacedArrays(result.isRefined);
+  worker.WriteSurface(result, output, writing);
+  if (inputs.rank.writesSource())
+  {
+    writeCurves(inputs.patch->mesh(), inputs.surface->scale, inputs.sources.curves,
+      inputs.sources.ids, result.bySource.arcLengthsOfCurves,
+      vtkPolyData::GetData(outputVector, 1));
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -35,7 +35,7 @@ std::vector<Triangle> cornerPointsOf(const PolyDataSurface& surface)
   return points;
 }
 
-/// Solves and refines what an execution has read.
+/// The parts of solveField(), for what an execution has read.
 struct FieldSolver
 {
   const Inputs& inputs;
@@ -46,21 +46,9 @@ struct FieldSolver
   SolvedSurface solve() const
   {
     SolvedSurface solved;
-    if (!this->request.isRefined)
-    {
-      const FrontOptions options = this->frontOptions(Stage::Solve);
-      solved.field.emplace(
-        geodesic::solve(this->surface.partition, this->inputs.sourceWindows(options.job), options));
-    }
-    else
-    {
-      solved = this->solveAndRefine();
-    }
-    if (this->request.isApproximate() && this->request.arrays.areFeetNeeded() && !solved.exact)
-    {
-      solved.exact.emplace(
-        this->solveExactly(solved.field->relativeErrorBound(), this->facesOf(solved.refined)));
-    }
+    const FrontOptions options = this->frontOptions(Stage::Solve);
+    solved.field.emplace(
+      geodesic::solve(this->surface.partition, this->inputs.sourceWindows(options.job), options));
     return solved;
   }
 
@@ -108,10 +96,8 @@ struct FieldSolver
     options.relativeError = 0.0;
     // A distance within the limit is that much smaller than the exact one at most.
     options.maximumDistance /= 1.0 - std::min(largestError, 0.5);
-    KeepFaces retention(this->surface.mesh(), std::move(faces));
-    FrontResult front = propagate(
-      this->surface.partition, this->inputs.sourceWindows(options.job), options, retention);
-    return { this->surface.partition, std::move(front), retention.release() };
+    return solveKeeping(
+      this->surface.partition, this->inputs.sourceWindows(options.job), options, std::move(faces));
   }
 
   /// By an exact solve that keeps no windows.
@@ -186,7 +172,14 @@ struct FieldSolver
 SolvedSurface solveField(
   const Inputs& inputs, const FieldRequest& request, FilterExecution& execution)
 {
-  return FieldSolver{ inputs, request, execution }.solve();
+  const FieldSolver solver{ inputs, request, execution };
+  SolvedSurface solved = request.isRefined ? solver.solveAndRefine() : solver.solve();
+  if (request.isApproximate() && request.arrays.areFeetNeeded() && !solved.exact)
+  {
+    solved.exact.emplace(
+      solver.solveExactly(solved.field->relativeErrorBound(), solver.facesOf(solved.refined)));
+  }
+  return solved;
 }
 
 }

@@ -69,7 +69,7 @@ struct SourcesOnPatch
   vtkIdType idEnd = 0;
 };
 
-/// Reads the inputs of one execution.
+/// The parts of readInputs().
 struct InputReader
 {
   const InputRequest& request;
@@ -78,36 +78,6 @@ struct InputReader
   FilterExecution& execution;
   Exchange& exchange = execution.exchange();
   Notes& notes = execution.notes();
-
-  Inputs read() const
-  {
-    this->requireTargets();
-    const Job reading = this->execution.begin(Stage::ReadSurface);
-    Inputs inputs;
-    inputs.surfaceInput = this->request.surface;
-    inputs.surfaceBlocks = polyDataBlocks(this->request.surface, PartName(SurfaceName));
-    findBarrierArrays(inputs.surfaceBlocks, this->request.barrierArray, this->exchange);
-    const GatheredBlocks source = this->gatherSource();
-    if (this->plan.targets != TargetPoints::None)
-    {
-      inputs.targetBlocks = this->request.targets ? this->gatherTargets() : source;
-    }
-    inputs.rank = findRole(inputs.surfaceBlocks, this->plan.supportsPieces, this->exchange);
-    if (!inputs.rank.isWorking())
-    {
-      return inputs;
-    }
-    this->readSurface(inputs.surfaceBlocks, inputs.rank.isInPieces(), reading);
-    inputs.surface = &this->cache.surface();
-    SourcesOnPatch onPatch = this->readSources(inputs.surfaceBlocks, source.blocks);
-    inputs.patch = std::move(onPatch.patch);
-    inputs.sources = std::move(onPatch.sources);
-    if (this->plan.targets != TargetPoints::None)
-    {
-      inputs.targets = this->readTargets(inputs.targetBlocks.blocks);
-    }
-    return inputs;
-  }
 
   /// \throws InputError if no points are connected that can be the targets.
   void requireTargets() const
@@ -301,7 +271,33 @@ SourceWindows Inputs::sourceWindows(const Job& job) const
 Inputs readInputs(const InputRequest& request, const ExecutionPlan& plan, SurfaceCache& cache,
   FilterExecution& execution)
 {
-  return InputReader{ request, plan, cache, execution }.read();
+  const InputReader reader{ request, plan, cache, execution };
+  reader.requireTargets();
+  const Job reading = execution.begin(Stage::ReadSurface);
+  Inputs inputs;
+  inputs.surfaceInput = request.surface;
+  inputs.surfaceBlocks = polyDataBlocks(request.surface, PartName(SurfaceName));
+  findBarrierArrays(inputs.surfaceBlocks, request.barrierArray, reader.exchange);
+  const GatheredBlocks source = reader.gatherSource();
+  if (plan.targets != TargetPoints::None)
+  {
+    inputs.targetBlocks = request.targets ? reader.gatherTargets() : source;
+  }
+  inputs.rank = findRole(inputs.surfaceBlocks, plan.supportsPieces, reader.exchange);
+  if (!inputs.rank.isWorking())
+  {
+    return inputs;
+  }
+  reader.readSurface(inputs.surfaceBlocks, inputs.rank.isInPieces(), reading);
+  inputs.surface = &cache.surface();
+  SourcesOnPatch onPatch = reader.readSources(inputs.surfaceBlocks, source.blocks);
+  inputs.patch = std::move(onPatch.patch);
+  inputs.sources = std::move(onPatch.sources);
+  if (plan.targets != TargetPoints::None)
+  {
+    inputs.targets = reader.readTargets(inputs.targetBlocks.blocks);
+  }
+  return inputs;
 }
 
 }

@@ -4,7 +4,7 @@
 #include "Tolerance.h"
 #include "field/DistanceField.h"
 #include "field/DistanceRange.h"
-#include "field/SolveDropping.h"
+#include "field/PinnedFaces.h"
 #include "front/Retention.h"
 
 #include <algorithm>
@@ -122,10 +122,16 @@ DistanceField solveForIsolines(const MeshPartition& surface, const SourceWindows
   const std::vector<double>& values, const FrontOptions& options, int maximumDroppingSolves)
 {
   PinnedFaces pinned(surface, {}, maximumDroppingSolves);
-  const auto makeRetention = [&](const std::vector<std::uint8_t>& faces)
-  { return IsolineRetention(surface, values, faces); };
-  return solveUntilComplete(
-    [&]() { return solveDropping(surface, sources, options, pinned, makeRetention); });
+  while (!pinned.areAllPinned())
+  {
+    IsolineRetention retention(surface, values, pinned.faces());
+    FrontResult front = propagate(surface, sources, options, retention);
+    if (!pinned.pinTooEarly(retention.droppedTooEarly()))
+    {
+      return { surface, std::move(front), retention.release() };
+    }
+  }
+  return solveKeeping(surface, sources, options, surface.ownFaces());
 }
 
 DistanceField solveForIsolines(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,

@@ -61,6 +61,14 @@ DistanceField solve(const MeshPartition& surface, SourceWindows sources,
   return { surface, std::move(front), all.release() };
 }
 
+DistanceField solveKeeping(const MeshPartition& surface, SourceWindows sources,
+  const FrontOptions& options, std::vector<std::uint8_t> faces)
+{
+  KeepFaces retention(surface.mesh(), std::move(faces));
+  FrontResult front = propagate(surface, std::move(sources), options, retention);
+  return { surface, std::move(front), retention.release() };
+}
+
 DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options, KeepWindows keep)
 {

@@ -114,7 +114,13 @@ enum class KeepWindows
 DistanceField solve(const MeshPartition& surface, SourceWindows sources,
   const FrontOptions& options = {}, KeepWindows keep = KeepWindows::None);
 
-/// The same in one process, from the curves themselves.
+/// The same with the windows of some faces.
+///
+/// \param faces for each face, not 0 if its windows are kept.
+DistanceField solveKeeping(const MeshPartition& surface, SourceWindows sources,
+  const FrontOptions& options, std::vector<std::uint8_t> faces);
+
+/// Solves in one process, from the curves themselves.
 DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options = {}, KeepWindows keep = KeepWindows::None);
 

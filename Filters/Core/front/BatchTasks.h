@@ -50,31 +50,9 @@ struct District
   MailToRanks toRanks;
 };
 
-/// The tasks of a batch (paper, section 3.1; as lists after Qin et al. 2016): (1) each vertex sends
-/// the lists that face it through their faces, (2) each halfedge merges the lists sent to it into
-/// its own. In both steps a task reads the mesh and the distances that step (1) found unchanged,
-/// and writes only to its district and its worker. So tasks of several districts may run at the
-/// same time.
-struct BatchTasks
+/// What the tasks of a batch share. Between batches Front changes the numbers at the end.
+struct FrontContext
 {
-  /// Step (1) for the district's vertices in the batch; continues where it paused.
-  void processBatch(FrontWorker& worker, District& district, Id batch);
-  /// Part of step (1): sends a waiting list through its face.
-  void propagate(FrontWorker& worker, District& district, Id list, Id batch);
-  /// Between batches: narrows the corridor.
-  void limitPaths(double longest) { this->longestPath = std::min(this->longestPath, longest); }
-  /// Step (2), first part: takes the distances sent to the district, which may make lists needless.
-  void receiveUpdates(District& district);
-  /// Step (2), second part: takes the lists sent to the district; continues where it paused.
-  void receiveLists(FrontWorker& worker, District& district);
-
-  /// Accepts a path if it is shorter than the known one.
-  void shorten(District& district, const DistanceUpdate& update);
-  /// Sends windows, at least one, that leave a face through a halfedge to its siblings.
-  void send(FrontWorker& worker, District& sender, Id halfedge, WindowRange windows);
-  /// Hands a list that was removed from its halfedge to the retention.
-  void retire(FrontWorker& worker, District& district, const PassedList& list, Id batch) const;
-
   const MeshPartition& surface;
   const TriangleMesh& mesh;
   const FrontOptions& options;
@@ -83,12 +61,39 @@ struct BatchTasks
   const CompleteFaces& complete;
   Mailboxes& mailboxes;
   Retention& retention;
+  /// The next batch of each district.
+  std::vector<VertexSchedule::Outlook>& outlooks;
   /// The largest number of faces that a shortest path can cross.
   Id mostFaces = std::min(this->surface.numberOfGlobalFaces(), MaximumFacesCrossed);
+  /// The number of the current batch.
+  Id batch = 0;
   /// The longest path that is looked for in the corridor.
   double longestPath =
     this->options.corridor != nullptr ? this->options.corridor->length : Infinity;
 };
+
+// The tasks of a batch (paper, section 3.1; as lists after Qin et al. 2016): (1) each vertex sends
+// the lists that face it through their faces, (2) each halfedge merges the lists sent to it into
+// its own. In both steps a task reads the mesh and the distances that step (1) found unchanged,
+// and writes only to its district and its worker. So tasks of several districts may run at the
+// same time.
+
+/// Works on a district until it is done (District::isDone) or the worker has to pause. The next
+/// call continues there.
+using BatchTask = void(const FrontContext& front, FrontWorker& worker, District& district);
+
+/// Step (1): the district's vertices in the batch send their lists.
+void processBatch(const FrontContext& front, FrontWorker& worker, District& district);
+/// Step (2), first part: takes the distances sent to the district, which may make lists needless.
+void receiveUpdates(const FrontContext& front, District& district);
+/// Step (2), second part: takes the lists sent to the district, and finds its next batch.
+void receiveLists(const FrontContext& front, FrontWorker& worker, District& district);
+
+/// Accepts the path to a vertex of the district if it is shorter than the known one.
+void acceptUpdate(const FrontContext& front, District& district, const DistanceUpdate& update);
+/// Sends windows, at least one, that leave a face through a halfedge to its siblings.
+void sendWindows(const FrontContext& front, FrontWorker& worker, District& sender, Id halfedge,
+  WindowRange windows);
 
 }
 

@@ -31,7 +31,7 @@ bool isAnyWindowWithin(const WindowRange& windows, double distance)
 /// vertex is processed.
 ///
 /// Vertices are processed in batches of nearly equal distance, and in districts (Districts), each
-/// with its own schedule and lists. A batch has the two steps of BatchTasks, each for all districts
+/// with its own schedule and lists. A batch has two steps (BatchTasks.h), each for all districts
 /// in parallel: (1) vertices send lists and distances by way of the Mailboxes; (2) each district
 /// takes its mail, in an order that does not depend on how tasks were run. Little work remains
 /// outside of the districts, mainly to find the begin and end of the next batch.
@@ -51,10 +51,10 @@ public:
     , outlooks_(districtNumbers_.size())
     , complete_(surface, options.maximumDistance)
     , mailboxes_(districtNumbers_.size())
-    , tasks_{ surface, mesh_, options, districtNumbers_, vertices_, complete_, mailboxes_,
-      retention }
+    , context_{ surface, mesh_, options, districtNumbers_, vertices_, complete_, mailboxes_,
+      retention, outlooks_ }
     , workers_(options.job)
-    , ranks_(tasks_, districts_, workers_.first().pool)
+    , ranks_(context_, districts_, workers_.first().pool)
   {
     this->districts_.reserve(this->districtNumbers_.size());
     for (Id number = 0; number < this->districtNumbers_.size(); ++number)
@@ -63,22 +63,9 @@ public:
     }
   }
 
-  /// Throws SourceError if no rank has a source.
-  FrontResult run(SourceWindows sources)
-  {
-    this->start(std::move(sources));
-    this->options_.job.reach(0.0);
-    this->advance(this->options_.maximumDistance);
-    this->options_.job.reach(this->done());
-    if (this->complete_.isLimited())
-    {
-      this->finishLimited();
-    }
-    this->finish();
-    return std::move(this->result_);
-  }
-
-private:
+  /// Puts the first windows on their halfedges.
+  ///
+  /// \throws SourceError if no rank has a source.
   void start(SourceWindows initial)
   {
     if (!this->surface_.exchange().isTrueAnywhere(
@@ -98,16 +85,83 @@ private:
     for (const LeavingWindow& leaving : initial.windows)
     {
       District& sender = this->districtOf(this->mesh_.origin(leaving.halfedge));
-      this->tasks_.send(
-        this->workers_.first(), sender, leaving.halfedge, { &leaving.window, &leaving.window + 1 });
+      sendWindows(this->context_, this->workers_.first(), sender, leaving.halfedge,
+        { &leaving.window, &leaving.window + 1 });
       this->mailboxes_.notify(sender.number);
     }
     this->result_.sourcesInFaces = std::move(initial.inFaces);
     this->retention_.start(this->districts_.size(), this->result_.sourcesInFaces);
     this->addSourcesInHalo(initial.inHalo);
     this->runBatch([](District&) {}); // receives what was sent
+    this->options_.job.reach(0.0);
   }
 
+  /// Processes all batches up to a distance.
+  ///
+  /// The loop ends. The windows that are sent form trees: the parent of a window is the one that
+  /// came through a face into it; a window joined from two comes from the one whose number of faces
+  /// crossed it keeps. That number is its depth in the tree, and a window that has crossed as many
+  /// faces as the mesh has goes no further. So all trees have a finite depth, also around faces
+  /// without area, where a pencil of rays may come back to its halfedge. A window that is sent
+  /// makes few others, which are cut into a finite number of parts before they are sent in turn.
+  /// Trees of finite depth in which each window has finitely many children are finite. And there
+  /// are finitely many trees: the windows of the source, and those that vertices emit. A vertex
+  /// emits again only if its distance has become shorter by more than a tie, a fraction of it,
+  /// which cannot go on for ever.
+  void advance(double limit)
+  {
+    while (this->next_.least <= limit && this->next_.least < Infinity)
+    {
+      this->key_ = std::max(this->key_, this->next_.least);
+      if (this->hasAllNeeded())
+      {
+        return;
+      }
+      const double last = std::min(limit, this->next_.last);
+      this->activateUpTo(last);
+      this->runBatch(
+        [this, last](District& district)
+        {
+          district.schedule.takeBatch(last, district.batch);
+          this->districtNumbers_.sort(district.batch);
+        });
+      this->reportBatch();
+    }
+  }
+
+  /// Completes faces at a limit, and gathers the result. To be called once, at the end.
+  FrontResult finish()
+  {
+    this->options_.job.reach(this->done());
+    if (this->complete_.isLimited())
+    {
+      this->finishLimited();
+    }
+    this->districts_.clear();
+    this->result_.completeFaces = this->complete_.release();
+    this->result_.vertexDistances.reserve(this->vertices_.size());
+    for (Id vertex = 0; vertex < this->vertices_.size(); ++vertex)
+    {
+      this->result_.vertexDistances.push_back(this->vertices_.distance(vertex));
+    }
+    this->ranks_.completeHalo(this->result_.vertexDistances);
+    this->result_.arrivals = this->vertices_.releaseArrivals();
+    this->result_.hasAngles = this->options_.keepAngles;
+    this->workers_.forEach(
+      [this](const FrontWorker& worker)
+      {
+        this->result_.windowsPropagated += worker.propagated;
+        this->result_.relativeErrorBound =
+          std::max(this->result_.relativeErrorBound, worker.relativeError);
+      });
+    Exchange& exchange = this->surface_.exchange();
+    this->result_.windowsPropagated = sumOverRanks(exchange, this->result_.windowsPropagated).all;
+    this->result_.relativeErrorBound = exchange.largestOf(this->result_.relativeErrorBound);
+    this->retention_.finish(this->state());
+    return std::move(this->result_);
+  }
+
+private:
   void startVertices(const SourceWindows& initial)
   {
     for (const Id vertex : initial.vertices)
@@ -192,37 +246,6 @@ private:
     std::stable_sort(sources.begin(), sources.end());
   }
 
-  // The loop ends. The windows that are sent form trees: the parent of a window is the one that
-  // came through a face into it; a window joined from two comes from the one whose number of faces
-  // crossed it keeps. That number is its depth in the tree, and a window that has crossed as many
-  // faces as the mesh has goes no further. So all trees have a finite depth, also around faces
-  // without area, where a pencil of rays may come back to its halfedge. A window that is sent makes
-  // few others, which are cut into a finite number of parts before they are sent in turn. Trees of
-  // finite depth in which each window has finitely many children are finite. And there are finitely
-  // many trees: the windows of the source, and those that vertices emit. A vertex emits again only
-  // if its distance has become shorter by more than a tie, a fraction of it, which cannot go on for
-  // ever.
-  void advance(double limit)
-  {
-    while (this->next_.least <= limit && this->next_.least < Infinity)
-    {
-      this->key_ = std::max(this->key_, this->next_.least);
-      if (this->hasAllNeeded())
-      {
-        return;
-      }
-      const double last = std::min(limit, this->next_.last);
-      this->activateUpTo(last);
-      this->runBatch(
-        [this, last](District& district)
-        {
-          district.schedule.takeBatch(last, district.batch);
-          this->districtNumbers_.sort(district.batch);
-        });
-      this->reportBatch();
-    }
-  }
-
   /// How far the front is: by the number of vertices reached, or by the distance if there is a
   /// limit.
   double done() const
@@ -290,26 +313,18 @@ private:
   template <typename Fill>
   void runBatch(const Fill& fill)
   {
-    ++this->batches_;
+    ++this->context_.batch;
     this->runStep(
       [&](District& district)
       {
         fill(district);
         this->mailboxes_.notify(district.number);
       },
-      [this](FrontWorker& worker, District& district)
-      { this->tasks_.processBatch(worker, district, this->batches_); });
+      processBatch);
     this->ranks_.exchangeLists();
     this->mailboxes_.takeReceivers(this->active_);
-    this->runStep([this](District& district) { this->tasks_.receiveUpdates(district); },
-      [this](FrontWorker& worker, District& district)
-      {
-        this->tasks_.receiveLists(worker, district);
-        if (district.isDone)
-        {
-          this->outlooks_[district.number] = district.schedule.outlook();
-        }
-      });
+    this->runStep(
+      [this](District& district) { receiveUpdates(this->context_, district); }, receiveLists);
     this->finishBatch();
   }
 
@@ -329,39 +344,35 @@ private:
   /// can be told. In each round some worker finishes at least one list, so the loop ends.
   ///
   /// \param begin (District&) -> void, called once per district.
-  /// \param task (FrontWorker&, District&) -> void, called until the district is done.
-  template <typename Begin, typename Task>
-  void runStep(const Begin& begin, const Task& task)
+  /// \param task called until the district is done.
+  template <typename Begin>
+  void runStep(const Begin& begin, BatchTask& task)
   {
-    this->runTasks(
-      [&](FrontWorker& worker, District& district)
-      {
-        district.schedule.moveOn(this->key_);
-        district.done = 0;
-        begin(district);
-        task(worker, district);
-      });
-    const auto isPaused = [this](Id number) { return !this->districts_[number].isDone; };
-    while (std::any_of(this->active_.begin(), this->active_.end(), isPaused))
+    const auto isDone = [this](Id number) { return this->districts_[number].isDone; };
+    for (bool isFirstRound = true;; isFirstRound = false)
     {
-      this->options_.job.reach(this->done());
-      this->runTasks(
-        [&](FrontWorker& worker, District& district)
+      this->workers_.run(this->active_.size(),
+        [&](FrontWorker& worker, std::size_t i)
         {
+          District& district = this->districts_[this->active_[i]];
+          if (isFirstRound)
+          {
+            district.schedule.moveOn(this->key_);
+            district.done = 0;
+            district.isDone = false;
+            begin(district);
+          }
           if (!district.isDone)
           {
-            task(worker, district);
+            task(this->context_, worker, district);
           }
         });
+      if (std::all_of(this->active_.begin(), this->active_.end(), isDone))
+      {
+        return;
+      }
+      this->options_.job.reach(this->done());
     }
-  }
-
-  template <typename Task>
-  void runTasks(const Task& task)
-  {
-    this->workers_.run(this->active_.size(),
-      [&](FrontWorker& worker, std::size_t i)
-      { task(worker, this->districts_[this->active_[i]]); });
   }
 
   // The work of a batch outside of the districts.
@@ -392,7 +403,8 @@ private:
     }
     this->takeFromRanks(this->ranks_.exchangeArrivals(this->next_));
     this->retention_.advance(this->state());
-    this->tasks_.limitPaths(this->retention_.longestPath());
+    this->context_.longestPath =
+      std::min(this->context_.longestPath, this->retention_.longestPath());
     this->neededDistance_ = this->ranks_.neededDistance();
   }
 
@@ -438,7 +450,7 @@ private:
   {
     District& district = this->districtOf(update.vertex);
     district.schedule.moveOn(this->key_);
-    this->tasks_.shorten(district, update);
+    acceptUpdate(this->context_, district, update);
     this->reportShortened(district);
     this->mailboxes_.notify(district.number);
   }
@@ -497,31 +509,6 @@ private:
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   }
 
-  void finish()
-  {
-    this->districts_.clear();
-    this->result_.completeFaces = this->complete_.release();
-    this->result_.vertexDistances.reserve(this->vertices_.size());
-    for (Id vertex = 0; vertex < this->vertices_.size(); ++vertex)
-    {
-      this->result_.vertexDistances.push_back(this->vertices_.distance(vertex));
-    }
-    this->ranks_.completeHalo(this->result_.vertexDistances);
-    this->result_.arrivals = this->vertices_.releaseArrivals();
-    this->result_.hasAngles = this->options_.keepAngles;
-    this->workers_.forEach(
-      [this](const FrontWorker& worker)
-      {
-        this->result_.windowsPropagated += worker.propagated;
-        this->result_.relativeErrorBound =
-          std::max(this->result_.relativeErrorBound, worker.relativeError);
-      });
-    Exchange& exchange = this->surface_.exchange();
-    this->result_.windowsPropagated = sumOverRanks(exchange, this->result_.windowsPropagated).all;
-    this->result_.relativeErrorBound = exchange.largestOf(this->result_.relativeErrorBound);
-    this->retention_.finish(this->state());
-  }
-
   const MeshPartition& surface_;
   const TriangleMesh& mesh_;
   const FrontOptions& options_;
@@ -531,17 +518,15 @@ private:
   Districts districtNumbers_;
   VertexStates vertices_;
   std::vector<District> districts_;
-  /// The next batch of each district.
   std::vector<VertexSchedule::Outlook> outlooks_;
   CompleteFaces complete_;
   Mailboxes mailboxes_;
-  BatchTasks tasks_;
+  FrontContext context_;
   FrontWorkers workers_;
   FrontOnRanks ranks_;
 
-  /// The vertices of the current batch, and the number of batches so far.
+  /// The vertices of the current batch.
   std::vector<Id> batch_;
-  Id batches_ = 0;
   /// The number of vertices that are done.
   std::size_t settled_ = 0;
   /// The key at which the batch began: no path yet to be found is shorter.
@@ -584,7 +569,10 @@ FrontResult propagate(const MeshPartition& surface, SourceWindows sources,
     throw Error("The relative error is " + std::to_string(options.relativeError) +
       "; give a number of at least 0.");
   }
-  return Front(surface, options, retention).run(std::move(sources));
+  Front front(surface, options, retention);
+  front.start(std::move(sources));
+  front.advance(options.maximumDistance);
+  return front.finish();
 }
 
 }

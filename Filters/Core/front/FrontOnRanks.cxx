@@ -27,7 +27,7 @@ void FrontOnRanks::exchangeLists()
   {
     return;
   }
-  Mailboxes& mailboxes = this->tasks_.mailboxes;
+  Mailboxes& mailboxes = this->front_.mailboxes;
   for (District& district : this->districts_)
   {
     for (const SentList& list : district.toRanks.lists)
@@ -50,13 +50,13 @@ void FrontOnRanks::exchangeLists()
   {
     for (const DistanceUpdate& update : received.updates[areHigher ? 1 : 0])
     {
-      mailboxes.fromRanks(areHigher, this->tasks_.districts.of(update.vertex))
+      mailboxes.fromRanks(areHigher, this->front_.districts.of(update.vertex))
         .updates.push_back(update);
     }
   }
   for (const SentList& list : received.lists)
   {
-    const Id receiver = this->tasks_.districts.of(this->tasks_.mesh.opposite(list.halfedge));
+    const Id receiver = this->front_.districts.of(this->front_.mesh.opposite(list.halfedge));
     mailboxes.fromRanks(true, receiver).lists.push_back(list);
   }
 }
@@ -75,7 +75,7 @@ std::vector<DistanceUpdate> FrontOnRanks::exchangeArrivals(VertexSchedule::Outlo
     }
     district.toRanks.arrivals.clear();
   }
-  std::vector<double> least = { next.least, next.last, -this->tasks_.retention.neededDistance() };
+  std::vector<double> least = { next.least, next.last, -this->front_.retention.neededDistance() };
   Received received = this->step(least);
   next = { least[0], least[1] };
   this->neededDistance_ = -least[2];
@@ -87,7 +87,7 @@ std::vector<DistanceUpdate> FrontOnRanks::exchangeArrivals(VertexSchedule::Outlo
 double FrontOnRanks::neededDistance() const
 {
   return this->surface_.isDistributed() ? this->neededDistance_
-                                        : this->tasks_.retention.neededDistance();
+                                        : this->front_.retention.neededDistance();
 }
 
 void FrontOnRanks::shareNeeded(CompleteFaces& faces)

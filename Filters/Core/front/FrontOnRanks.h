@@ -15,7 +15,7 @@ namespace geodesic
 ///
 /// Each rank processes the batch's vertices in the faces that it owns. Windows that leave through a
 /// seam go to the owners of the faces behind it; distances found at vertices of several ranks go to
-/// all of these. A batch is a superstep with two exchanges, one after each step of BatchTasks. All
+/// all of these. A batch is a superstep with two exchanges, one after each of its steps. All
 /// ranks have the same first and last key of a batch.
 ///
 /// All ranks make each call together, except addUpdate().
@@ -25,12 +25,12 @@ public:
   /// All that is given must outlive this.
   ///
   /// \param pool for lists that come from other ranks.
-  FrontOnRanks(const BatchTasks& tasks, std::vector<District>& districts, WindowPool& pool)
-    : tasks_(tasks)
-    , surface_(tasks.surface)
+  FrontOnRanks(const FrontContext& front, std::vector<District>& districts, WindowPool& pool)
+    : front_(front)
+    , surface_(front.surface)
     , districts_(districts)
     , pool_(pool)
-    , messages_(tasks.surface.exchange().noMessages())
+    , messages_(front.surface.exchange().noMessages())
   {
   }
 
@@ -68,7 +68,7 @@ private:
   void addList(const SentList& list);
   Received step(std::vector<double>& least);
 
-  const BatchTasks& tasks_;
+  const FrontContext& front_;
   const MeshPartition& surface_;
   std::vector<District>& districts_;
   WindowPool& pool_;

@@ -2,7 +2,7 @@
 #ifndef geodesic_FrontWorker_h
 #define geodesic_FrontWorker_h
 
-#include "front/Front.h"
+#include "Job.h"
 #include "front/SaddleWedge.h"
 #include "window/FacePropagation.h"
 #include "window/WindowList.h"

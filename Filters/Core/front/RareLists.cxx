@@ -12,12 +12,12 @@ namespace
 // What comes from now on is no shorter than the key. Where paths by way of the apex are as short
 // everywhere on the halfedge, nothing can gain there. The apex is the district's own; another
 // district may be shortening the distances of the halfedge's ends.
-bool isNeededOn(const BatchTasks& tasks, const District& district, Id halfedge)
+bool isNeededOn(const FrontContext& front, const District& district, Id halfedge)
 {
-  const double toFartherEnd = std::max(tasks.mesh.length(TriangleMesh::nextInFace(halfedge)),
-    tasks.mesh.length(TriangleMesh::previousInFace(halfedge)));
+  const double toFartherEnd = std::max(front.mesh.length(TriangleMesh::nextInFace(halfedge)),
+    front.mesh.length(TriangleMesh::previousInFace(halfedge)));
   return district.schedule.key() <=
-    tasks.vertices.distance(tasks.mesh.opposite(halfedge)) + toFartherEnd;
+    front.vertices.distance(front.mesh.opposite(halfedge)) + toFartherEnd;
 }
 
 } // anonymous namespace
@@ -31,19 +31,19 @@ void reverse(const WindowBlock& windows, double length)
 
 // A point of an edge is at least as far from the target as each end is, less its distance to that
 // end. The mean of these two bounds is the same for all points of the edge.
-bool isOutsideCorridor(const BatchTasks& tasks, Id halfedge, const WindowRange& windows)
+bool isOutsideCorridor(const FrontContext& front, Id halfedge, const WindowRange& windows)
 {
-  const Corridor* corridor = tasks.options.corridor;
-  const double atOrigin = corridor->lowerBounds[tasks.mesh.origin(halfedge)];
-  const double atDestination = corridor->lowerBounds[tasks.mesh.destination(halfedge)];
-  const double left = 0.5 * (atOrigin + atDestination - tasks.mesh.length(halfedge));
+  const Corridor* corridor = front.options.corridor;
+  const double atOrigin = corridor->lowerBounds[front.mesh.origin(halfedge)];
+  const double atDestination = corridor->lowerBounds[front.mesh.destination(halfedge)];
+  const double left = 0.5 * (atOrigin + atDestination - front.mesh.length(halfedge));
   return std::none_of(windows.begin(), windows.end(),
-    [&](const Window& w) { return w.minimum() + left <= tasks.longestPath; });
+    [&](const Window& w) { return w.minimum() + left <= front.longestPath; });
 }
 
-bool isInThinFace(const BatchTasks& tasks, Id halfedge)
+bool isInThinFace(const FrontContext& front, Id halfedge)
 {
-  return tasks.mesh.shape(TriangleMesh::faceOf(halfedge)).isThin();
+  return front.mesh.shape(TriangleMesh::faceOf(halfedge)).isThin();
 }
 
 double leastDistance(const WindowRange& windows)
@@ -56,30 +56,30 @@ double leastDistance(const WindowRange& windows)
   return least;
 }
 
-void remember(const BatchTasks& tasks, FrontWorker& worker, District& district, Id halfedge,
+void remember(const FrontContext& front, FrontWorker& worker, District& district, Id halfedge,
   const WindowRange& passed)
 {
-  const VertexState& apex = tasks.vertices[tasks.mesh.opposite(halfedge)];
+  const VertexState& apex = front.vertices[front.mesh.opposite(halfedge)];
   const bool isAgain =
-    apex.timesProcessed >= VertexState::UsualTimes || isInThinFace(tasks, halfedge);
-  if (isAgain && isNeededOn(tasks, district, halfedge))
+    apex.timesProcessed >= VertexState::UsualTimes || isInThinFace(front, halfedge);
+  if (isAgain && isNeededOn(front, district, halfedge))
   {
-    const auto isNeeded = [&](Id other) { return isNeededOn(tasks, district, other); };
+    const auto isNeeded = [&](Id other) { return isNeededOn(front, district, other); };
     worker.handled += passed.size();
     district.passed.add(
-      halfedge, tasks.mesh.length(halfedge), passed, worker.merged, worker.pool, isNeeded);
+      halfedge, front.mesh.length(halfedge), passed, worker.merged, worker.pool, isNeeded);
   }
 }
 
 void cutByPassed(
-  const BatchTasks& tasks, FrontWorker& worker, const District& district, SentList& sent)
+  const FrontContext& front, FrontWorker& worker, const District& district, SentList& sent)
 {
   const WindowRange passed = district.passed.at(sent.halfedge);
-  if (passed.size() == 0 || !isNeededOn(tasks, district, sent.halfedge))
+  if (passed.size() == 0 || !isNeededOn(front, district, sent.halfedge))
   {
     return;
   }
-  worker.merged.reset(tasks.mesh.length(sent.halfedge));
+  worker.merged.reset(front.mesh.length(sent.halfedge));
   for (const Window& window : sent.windows.range())
   {
     worker.merged.appendWhereLower(window, passed);

@@ -15,9 +15,9 @@ namespace geodesic
 void reverse(const WindowBlock& windows, double length);
 
 /// Whether no path in the corridor, which there is, passes the windows of a halfedge.
-bool isOutsideCorridor(const BatchTasks& tasks, Id halfedge, const WindowRange& windows);
+bool isOutsideCorridor(const FrontContext& front, Id halfedge, const WindowRange& windows);
 
-bool isInThinFace(const BatchTasks& tasks, Id halfedge);
+bool isInThinFace(const FrontContext& front, Id halfedge);
 
 /// The least distance of any window.
 double leastDistance(const WindowRange& windows);
@@ -25,12 +25,12 @@ double leastDistance(const WindowRange& windows);
 /// Remembers a list that passes, if others may come to the halfedge. Where windows come to a vertex
 /// again and again, they are beaten by others that came before. A list in a thin face passes at its
 /// nearest window's distance, and others may come later.
-void remember(const BatchTasks& tasks, FrontWorker& worker, District& district, Id halfedge,
+void remember(const FrontContext& front, FrontWorker& worker, District& district, Id halfedge,
   const WindowRange& passed);
 
 /// Cuts a list that comes once more by what has passed its halfedge before.
 void cutByPassed(
-  const BatchTasks& tasks, FrontWorker& worker, const District& district, SentList& sent);
+  const FrontContext& front, FrontWorker& worker, const District& district, SentList& sent);
 
 }
 

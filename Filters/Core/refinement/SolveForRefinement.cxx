@@ -22,21 +22,29 @@ std::optional<DistanceField> trySolveForRefinement(const MeshPartition& surface,
 {
   FrontOptions merging = options;
   merging.maximumMerged = std::min(options.maximumMerged, maximumMergedFor(refinementTolerance));
-  if (options.relativeError > 0.0)
+  if (options.relativeError > 0.0 || pinned.areAllPinned())
   {
-    pinned.pinAll();
+    return solveKeeping(surface, sources, merging, surface.ownFaces());
   }
-  return solveDropping(surface, sources, merging, pinned,
-    [&](const std::vector<std::uint8_t>& faces)
-    { return RefinementRetention(surface, refinementTolerance, faces, options.job); });
+  RefinementRetention retention(surface, refinementTolerance, pinned.faces(), options.job);
+  FrontResult front = propagate(surface, sources, merging, retention);
+  if (pinned.pinTooEarly(retention.droppedTooEarly()))
+  {
+    return std::nullopt;
+  }
+  return DistanceField(surface, std::move(front), retention.release());
 }
 
 DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindows& sources,
   double refinementTolerance, const FrontOptions& options, int maximumDroppingSolves)
 {
   PinnedFaces pinned(surface, {}, maximumDroppingSolves);
-  return solveUntilComplete([&]()
-    { return trySolveForRefinement(surface, sources, refinementTolerance, options, pinned); });
+  std::optional<DistanceField> field;
+  while (!field)
+  {
+    field = trySolveForRefinement(surface, sources, refinementTolerance, options, pinned);
+  }
+  return std::move(*field);
 }
 
 DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,

@@ -3,7 +3,7 @@
 #define geodesic_SolveForRefinement_h
 
 #include "field/DistanceField.h"
-#include "field/SolveDropping.h"
+#include "field/PinnedFaces.h"
 
 #include <optional>
 #include <vector>

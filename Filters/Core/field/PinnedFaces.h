@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef geodesic_SolveDropping_h
-#define geodesic_SolveDropping_h
+#ifndef geodesic_PinnedFaces_h
+#define geodesic_PinnedFaces_h
 
-#include "field/DistanceField.h"
+#include "mesh/MeshPartition.h"
 
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -52,7 +51,6 @@ public:
     this->solvesLeft_ -= isAny ? 1 : 0;
     return isAny;
   }
-  void pinAll() { this->solvesLeft_ = 0; }
   bool areAllPinned() const { return this->solvesLeft_ == 0; }
 
 private:
@@ -60,48 +58,6 @@ private:
   std::vector<std::uint8_t> faces_;
   int solvesLeft_;
 };
-
-/// Solves once, with windows dropped of faces that are not pinned. If any rank has dropped windows
-/// that turn out to be needed, their faces are pinned, and nothing is returned: all ranks solve
-/// again then.
-///
-/// \param makeRetention (faces) -> a retention with droppedTooEarly() and release(); see
-///        PinnedFaces::faces().
-template <typename MakeRetention>
-std::optional<DistanceField> solveDropping(const MeshPartition& surface,
-  const SourceWindows& sources, const FrontOptions& options, PinnedFaces& pinned,
-  const MakeRetention& makeRetention)
-{
-  if (pinned.areAllPinned())
-  {
-    KeepFaces all(surface.mesh(), surface.ownFaces());
-    FrontResult front = propagate(surface, sources, options, all);
-    return DistanceField(surface, std::move(front), all.release());
-  }
-  auto retention = makeRetention(pinned.faces());
-  FrontResult front = propagate(surface, sources, options, retention);
-  if (pinned.pinTooEarly(retention.droppedTooEarly()))
-  {
-    return std::nullopt;
-  }
-  return DistanceField(surface, std::move(front), retention.release());
-}
-
-/// Solves again until no window is missing.
-///
-/// \param solveOnce () -> what solveDropping() returns.
-template <typename SolveOnce>
-DistanceField solveUntilComplete(const SolveOnce& solveOnce)
-{
-  for (;;)
-  {
-    std::optional<DistanceField> field = solveOnce();
-    if (field)
-    {
-      return std::move(*field);
-    }
-  }
-}
 
 }
 
