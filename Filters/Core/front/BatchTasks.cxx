@@ -299,7 +299,8 @@ void receiveList(BatchTasks& tasks, FrontWorker& worker, District& district, Sen
   worker.handled += sent.windows.size;
   const bool isThin = state.hasThinFaces && isInThinFace(tasks, sent.halfedge);
   double due = isThin ? leastDistance(sent.windows.range()) : state.distance;
-  Id list = district.lists.find(sent.halfedge);
+  // Often no list waits for the vertex, and a look into the table is spared.
+  Id list = state.facing == NoId ? NoId : district.lists.find(sent.halfedge);
   if (list != NoId)
   {
     mergeInto(tasks, worker, district, list, sent.windows);
