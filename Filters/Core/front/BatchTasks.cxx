@@ -370,7 +370,8 @@ void receiveList(const FrontContext& front, FrontWorker& worker, District& distr
   worker.handled += sent.windows.size;
   const bool isThin = state.hasThinFaces && isInThinFace(front, sent.halfedge);
   double due = isThin ? leastDistance(sent.windows.range()) : state.distance;
-  Id list = district.lists.find(sent.halfedge);
+  // Often no list waits for the vertex, and a look into the table is spared.
+  Id list = state.facing == NoId ? NoId : district.lists.find(sent.halfedge);
   if (list != NoId)
   {
     mergeInto(front, worker, district, list, sent.windows);

@@ -32,7 +32,8 @@ void forEachLowerPart(const Window& a, const Window& b, double lo, double hi, co
 void WindowListBuilder::reset(double edgeLength)
 {
   this->windows_.clear();
-  this->leastWidth_ = tolerance::LeastWidth * edgeLength;
+  this->leastWidth_ =
+    std::max(tolerance::LeastWidth * edgeLength, std::numeric_limits<double>::min());
 }
 
 // The added window overlaps the window before it.

@@ -5,6 +5,7 @@
 #include "window/LowerWindow.h"
 #include "window/Window.h"
 
+#include <limits>
 #include <vector>
 
 namespace geodesic
@@ -77,10 +78,7 @@ private:
   void appendToSeveral(const Window& window);
   void appendRun(WindowRange run, bool isOfOther);
   void appendPiece(const Window& window, double begin, double end);
-  bool isWide(double begin, double end) const
-  {
-    return end - begin >= this->leastWidth_ && end > begin;
-  }
+  bool isWide(double begin, double end) const { return end - begin >= this->leastWidth_; }
   bool push(const Window& window, double begin, double end)
   {
     if (!this->isWide(begin, end))
@@ -97,7 +95,8 @@ private:
   std::vector<Window> overlapped_;
   /// The window that the last piece was cut from, so that adjacent pieces are joined again.
   const Window* lastOwner_ = nullptr;
-  double leastWidth_ = 0.0;
+  /// Positive, also on an edge without length.
+  double leastWidth_ = std::numeric_limits<double>::min();
 };
 
 }
