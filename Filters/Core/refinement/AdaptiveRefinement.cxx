@@ -228,6 +228,10 @@ private:
       return;
     }
     this->raiseBound(check.bound);
+    if (!this->options_.regionOf)
+    {
+      return;
+    }
     double longest = 0.0;
     this->triangles_.closeTriangle(leaf,
       [&](Id face, const Triangle& corners)

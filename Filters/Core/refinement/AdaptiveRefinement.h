@@ -53,7 +53,8 @@ struct RefinementOptions
 /// that meets the tolerance, so that an edge follows where the distance bends. If no way meets the
 /// tolerance, more edges of the triangle are split, and after that the triangle is split into four.
 /// Triangles much longer than high are not split into four: their edges get as many points as they
-/// need, and a strip of triangles connects these.
+/// need, and a strip of triangles connects these. A strip also closes another triangle with several
+/// points on an edge, if its angles are as good as the face's.
 ///
 /// If the surface has regions, triangles at their borders are split after those over the tolerance,
 /// the largest first.

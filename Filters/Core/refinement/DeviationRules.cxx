@@ -33,9 +33,14 @@ constexpr double LeastAngleFactorOfGrowth = 1.05 * LeastAngleFractionOfStrips;
 // The triangles of a strip become parts if they have this fraction of it.
 constexpr double LeastAngleFractionOfParts = 0.95;
 
-// No part of a split edge is shorter than this fraction of the edge, as in the table of
-// section 6.2.
-constexpr double LeastWeight = 0.25;
+// A round triangle that is closed by a strip is not split any further, so that angles do not get
+// smaller from level to level if those of the strip are as large as this (20 degrees), or as the
+// fraction above.
+constexpr double LeastAngleOfRoundStrips = 0.35;
+
+// No part of an edge between thin leaves is shorter than this fraction of the edge. The shapes do
+// not need this, as corners limit the pieces; it makes lengths fall from level to level.
+constexpr double LeastWeightOfStrips = 0.1;
 
 double angleBetween(Vec2 a, Vec2 b)
 {
@@ -107,31 +112,55 @@ bool DeviationRules::mustSplit(Id part) const
   return must;
 }
 
-// At a corner with the angle b, let both sides have points whose ways from the corner grow by the
-// factor g. A strip between them has the angle b / (g - 1): over a piece of (g - 1) times the way,
-// it is as wide as the corner there.
-std::array<double, 2> DeviationRules::growthFrom(Id edge) const
+// While the other side has no points, but is going to get some, these will fall between those of
+// this side: then the way may grow by the square.
+StripCorners DeviationRules::cornersAt(Id edge) const
 {
-  std::array<double, 2> growth = { Infinity, Infinity };
+  StripCorners corners;
   const std::array<Id, 2> ends = this->triangles_.edgeData(edge).ends;
   this->triangles_.forEachLeafAt(edge,
     [&](Id leaf)
     {
       const Id face = this->triangles_.faceOf(leaf);
-      const Triangle corners = this->triangles_.corners(leaf);
-      const std::array<Vec2, 3> c = this->triangles_.inPlane(corners, face);
+      const Triangle points = this->triangles_.corners(leaf);
+      const std::array<Vec2, 3> c = this->triangles_.inPlane(points, face);
       const double least = LeastAngleFactorOfGrowth * this->leastAngleOf(face);
-      for (std::size_t k = 0; k < 3; ++k)
+      for (Id k = 0; k < 3; ++k)
       {
-        const double angle = angleBetween(c[(k + 1) % 3] - c[k], c[(k + 2) % 3] - c[k]);
-        const double most = 1.0 + std::max(1.0, angle / least);
-        for (std::size_t i = 0; i < 2; ++i)
+        if (points[k] != ends[0] && points[k] != ends[1])
         {
-          growth[i] = corners[k] == ends[i] ? std::min(growth[i], most) : growth[i];
+          continue;
         }
+        const double angle = angleBetween(c[(k + 1) % 3] - c[k], c[(k + 2) % 3] - c[k]);
+        const double growth = 1.0 + std::max(1.0, angle / least);
+        const Id next = this->triangles_.ensureEdge(leaf, k);
+        const Id other = next == edge ? this->triangles_.ensureEdge(leaf, (k + 2) % 3) : next;
+        const bool takesTurns = !this->triangles_.isSplit(other) &&
+          this->workers_.deviation(other).largest() > this->tolerance_;
+        corners[points[k] == ends[0] ? 0 : 1].emplace_back(
+          takesTurns ? growth * growth : growth, this->waysOfPoints(other, points[k]));
       }
     });
-  return growth;
+  return corners;
+}
+
+// The ways from a corner to the points on an edge that begins there, ascending.
+std::vector<double> DeviationRules::waysOfPoints(Id edge, Id corner) const
+{
+  std::vector<double> ways;
+  const Id face = this->triangles_.edgeData(edge).face;
+  const Vec2 begin = this->triangles_.inPlane(corner, face);
+  this->triangles_.forEachPartOf(edge,
+    [&](Id part)
+    {
+      if (this->triangles_.isSplit(part))
+      {
+        const Id point = this->triangles_.edgeData(part).split;
+        ways.push_back(norm(this->triangles_.inPlane(point, face) - begin));
+      }
+    });
+  std::sort(ways.begin(), ways.end());
+  return ways;
 }
 
 double DeviationRules::weightOf(Id edge) const
@@ -144,8 +173,8 @@ double DeviationRules::weightOf(Id edge) const
   }
   if (this->isBetweenThinLeaves(edge))
   {
-    const double weight = this->workers_.bestSplit(edge, this->growthFrom(edge));
-    return std::clamp(weight, LeastWeight, 1.0 - LeastWeight);
+    const double weight = this->workers_.bestSplit(edge, this->cornersAt(edge));
+    return std::clamp(weight, LeastWeightOfStrips, 1.0 - LeastWeightOfStrips);
   }
   const double aimed = splitPosition(deviation.at());
   for (const double weight : { aimed, 0.5 * (aimed + middle) })
@@ -195,6 +224,12 @@ double DeviationRules::smallestAngleOfFour(Id triangle, Id splitEdge, double wei
 
 bool DeviationRules::mayClose(Id leaf)
 {
+  if (this->triangles_.isSplitTwice(leaf))
+  {
+    const double least = this->leastAngleOf(this->triangles_.faceOf(leaf));
+    return this->triangles_.hasArea(leaf) &&
+      this->mayClose(leaf, std::min(LeastAngleOfRoundStrips, LeastAngleFractionOfParts * least));
+  }
   return this->mayClose(leaf, this->allowedAngle(leaf));
 }
 

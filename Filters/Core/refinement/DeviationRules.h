@@ -18,9 +18,9 @@ namespace geodesic
 ///
 /// An edge of thin leaves alone is cut where the fewest pieces come out. From a sharp corner on,
 /// these get longer only so fast that the angles of strips do not fall under half the input face's
-/// smallest. If such an angle is smaller nevertheless, when all edges are within the tolerance,
-/// points on one side of the strip are much closer than on the other; then the longer part of an
-/// edge there is split, too.
+/// smallest (StripCorner). If such an angle is smaller nevertheless, when all edges are within the
+/// tolerance, points on one side of the strip are much closer than on the other; then the longer
+/// part of an edge there is split, too.
 class DeviationRules : public SplitRules
 {
 public:
@@ -34,7 +34,8 @@ public:
   }
 
   RedGreenMesh::Placement place(Id edge) override;
-  /// Whether the leaf has a closing with good shapes.
+  /// Whether the leaf has a closing with good shapes; better ones are asked for if an edge is split
+  /// more than once, as such a leaf has no other way to be closed.
   bool mayClose(Id leaf) override;
   /// The longer of two parts of edges whose lengths are too different for good shapes.
   Id edgeToSplit(Id leaf) override;
@@ -56,7 +57,8 @@ private:
   bool mayClose(Id leaf, double allowed) const;
   double weightOf(Id edge) const;
   bool isBetweenThinLeaves(Id edge) const;
-  std::array<double, 2> growthFrom(Id edge) const;
+  StripCorners cornersAt(Id edge) const;
+  std::vector<double> waysOfPoints(Id edge, Id corner) const;
   bool isAnyOverTolerance(Id leaf) const;
   Id longerPart(Id leaf, Id way, double allowed) const;
   double leastAngleOf(Id face) const;

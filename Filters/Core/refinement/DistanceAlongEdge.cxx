@@ -83,28 +83,31 @@ double DistanceAlongEdge::furthest(double from, double to, double guess, double 
   return within;
 }
 
-// A piece may be longer than the way to its begin by the factor less one; seen from the other end,
-// all pieces but that at the end may.
 std::vector<double> DistanceAlongEdge::stepsWithin(
-  double from, double to, double tolerance, const std::array<double, 2>& growth) const
+  double from, double to, double tolerance, const StripCorners& corners, bool fromBegin) const
 {
+  const std::vector<StripCorner>& behind = corners[fromBegin ? 0 : 1];
+  const std::vector<StripCorner>& ahead = corners[fromBegin ? 1 : 0];
+  const double sign = from < to ? 1.0 : -1.0;
   std::vector<double> places;
   double last = from;
   double guess = to - from;
-  const auto limit = [&](double& next, double most)
-  { next = std::abs(most - last) < std::abs(next - last) ? most : next; };
   for (;;)
   {
     double next = this->furthest(last, to, guess, tolerance);
-    if (last != from)
+    const auto limit = [&](double most) { next = sign * (next - most) > 0.0 ? most : next; };
+    for (const StripCorner& corner : behind)
     {
-      limit(next, from + growth[0] * (last - from));
+      limit(from + sign * corner.away(std::abs(last - from), std::abs(next - from)));
     }
-    if (next == to || next == last)
+    for (const StripCorner& corner : ahead)
+    {
+      limit(to - sign * corner.towards(std::abs(to - last), std::abs(to - next)));
+    }
+    if (next == to || !(sign * (next - last) > 0.0))
     {
       return places;
     }
-    limit(next, to - (to - last) / growth[1]);
     places.push_back(next);
     guess = next - last;
     last = next;
@@ -114,11 +117,10 @@ std::vector<double> DistanceAlongEdge::stepsWithin(
 // If the k-th of n cuts is put between the furthest from the one end and the furthest from the
 // other, at k / (n + 1) of the way, pieces are equal where the curvature is.
 std::vector<double> DistanceAlongEdge::cuts(
-  double from, double to, double tolerance, const std::array<double, 2>& growth) const
+  double from, double to, double tolerance, const StripCorners& corners) const
 {
-  const std::vector<double> forward = this->stepsWithin(from, to, tolerance, growth);
-  const std::vector<double> backward =
-    this->stepsWithin(to, from, tolerance, { growth[1], growth[0] });
+  const std::vector<double> forward = this->stepsWithin(from, to, tolerance, corners, true);
+  const std::vector<double> backward = this->stepsWithin(to, from, tolerance, corners, false);
   const std::size_t count = forward.size();
   if (backward.size() != count)
   {

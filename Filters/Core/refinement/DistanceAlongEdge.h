@@ -3,6 +3,7 @@
 #define geodesic_DistanceAlongEdge_h
 
 #include "refinement/Deviation.h"
+#include "refinement/StripCorner.h"
 
 #include <array>
 #include <vector>
@@ -29,14 +30,14 @@ public:
   /// Places that cut a part into the fewest pieces within the tolerance, with about equal
   /// deviations, ascending.
   ///
-  /// \param growth for both ends, by which factor the way from there may grow with each piece.
+  /// \param corners at both ends, which limit the pieces.
   std::vector<double> cuts(
-    double from, double to, double tolerance, const std::array<double, 2>& growth) const;
+    double from, double to, double tolerance, const StripCorners& corners) const;
 
 private:
   double furthest(double from, double to, double guess, double tolerance) const;
   std::vector<double> stepsWithin(
-    double from, double to, double tolerance, const std::array<double, 2>& growth) const;
+    double from, double to, double tolerance, const StripCorners& corners, bool fromBegin) const;
 
   std::vector<std::vector<Window>> ofFaces_;
 };

@@ -200,8 +200,8 @@ void RedGreenClosure::closeTouched(std::vector<Id>& changed)
       {
         thin.push_back(triangle);
       }
-      else if (this->waiting_.count(triangle) != 0 || this->mesh_.isSplitTwice(triangle) ||
-        (this->mesh_.splitEdges(triangle) > 1 && !this->rules_.mayClose(triangle)))
+      else if (this->waiting_.count(triangle) != 0 ||
+        (this->mesh_.pointsOnEdges(triangle) > 1 && !this->rules_.mayClose(triangle)))
       {
         this->splitIntoFour(triangle);
       }

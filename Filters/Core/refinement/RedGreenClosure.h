@@ -20,7 +20,7 @@ public:
   virtual ~SplitRules() = default;
   /// Where to split an edge now.
   virtual RedGreenMesh::Placement place(Id edge) = 0;
-  /// Whether a leaf with split edges, each split once, may stay a leaf.
+  /// Whether a leaf with split edges, which is not thin, may stay a leaf.
   virtual bool mayClose(Id triangle) = 0;
   /// The part of a thin leaf's edges that must be split before the leaf can be closed; NoId if
   /// there is none.
@@ -31,8 +31,7 @@ public:
 };
 
 /// The loop of splitting and closing: splits edges of a mesh and whatever must be split in
-/// consequence. Afterwards no leaf has split edges with which the rules forbid closing it, and only
-/// thin leaves have edges that were split twice.
+/// consequence. Afterwards no leaf has split edges with which the rules forbid closing it.
 ///
 /// If ranks share the surface, one rank decides where an edge of faces of several ranks, and in
 /// turn each of its halves, is split: the lowest rank that owns a refined face there. It tells the
@@ -57,8 +56,8 @@ public:
   /// longest edge.
   void splitInside(Id triangle);
 
-  /// Splits leaves into four: those with an edge that was split twice; those with two or more split
-  /// edges that must not be closed; and, in two rounds, bisected ones that must not be closed.
+  /// Splits leaves into four: those with two or more points on their edges that must not be closed;
+  /// and, in two rounds, bisected ones that must not be closed.
   /// Whatever the second round bisects stays, so that splitting does not spread. Splits the edges
   /// of thin leaves as the rules require.
   void close();

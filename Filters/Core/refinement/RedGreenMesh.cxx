@@ -46,6 +46,7 @@ std::array<Vec2, 3> RedGreenMesh::inPlane(const Triangle& corners, Id face) cons
 std::vector<Vec2> RedGreenMesh::inPlane(const Closing& closing, Id face) const
 {
   std::vector<Vec2> places;
+  places.reserve(closing.points.size());
   for (const Id point : closing.points)
   {
     places.push_back(this->inPlane(point, face));
@@ -79,6 +80,14 @@ Id shortestSide(const std::array<Vec2, 3>& corners)
   return static_cast<Id>(std::min_element(sides.begin(), sides.end()) - sides.begin());
 }
 
+// The height over the longest side, as a fraction of that side.
+double heightOfLength(const std::array<Vec2, 3>& corners)
+{
+  const Id k = longestSide(corners);
+  const Vec2 side = corners[(k + 1) % 3] - corners[k];
+  return cross(side, corners[(k + 2) % 3] - corners[k]) / squaredNorm(side);
+}
+
 // A triangle is thin if its height over the longest side is under this fraction of that side.
 constexpr double ThinHeight = 0.25;
 
@@ -86,11 +95,8 @@ constexpr double ThinHeight = 0.25;
 // of a strip's triangles may be as long as theirs, so that splitting would not end.
 bool areThin(const std::array<Vec2, 3>& corners)
 {
-  const Id k = longestSide(corners);
-  const Vec2 side = corners[(k + 1) % 3] - corners[k];
-  const double area2 = cross(side, corners[(k + 2) % 3] - corners[k]);
-  const double square = squaredNorm(side);
-  return area2 < ThinHeight * square && area2 > tolerance::PlaceRounding * square;
+  const double height = heightOfLength(corners);
+  return height < ThinHeight && height > tolerance::PlaceRounding;
 }
 
 } // anonymous namespace
@@ -132,6 +138,12 @@ bool RedGreenMesh::isThin(Id triangle) const
 {
   const Red* red = this->find(triangle);
   return red ? red->isThin : areThin(this->inPlane(this->corners(triangle), triangle));
+}
+
+bool RedGreenMesh::hasArea(Id triangle) const
+{
+  return heightOfLength(this->inPlane(this->corners(triangle), this->faceOf(triangle))) >
+    tolerance::PlaceRounding;
 }
 
 bool RedGreenMesh::isAnyAsShortAsWide(Id triangle, const std::vector<Id>& edges) const
@@ -237,6 +249,10 @@ RedGreenMesh::Closing RedGreenMesh::closing(Id triangle, Id way) const
     ++begin;
   }
   Closing closing;
+  const Id corners = 3 + this->pointsOnEdges(triangle);
+  closing.points.reserve(corners);
+  closing.edges.reserve(corners);
+  closing.triangles.reserve(corners - 2);
   for (Id i = 0; i < 3; ++i)
   {
     const Id k = (begin + i) % 3;

@@ -18,9 +18,10 @@ namespace geodesic
 /// and data structures for regular local mesh refinement"; the paper's one-to-four splits).
 ///
 /// The mesh stores only red triangles: input faces and the four parts of a red triangle whose edges
-/// were split (figure 7). A leaf with split edges is closed only in the output: by a bisection, or,
-/// with two or three split edges, into three or four triangles whose inner edges may be flipped.
-/// These green triangles are not stored, and so they are never split again.
+/// were split (figure 7). A leaf with split edges is closed only in the output: by a bisection;
+/// with two or three split edges, into three or four triangles whose inner edges may be flipped;
+/// or, if an edge is split more than once, by a strip. These green triangles are not stored, and so
+/// they are never split again.
 ///
 /// A thin triangle is much longer than high. Four parts would halve its short edges, too, which
 /// need no points; k halvings of the long ones would give 4^k parts. So a thin leaf may have any
@@ -145,6 +146,8 @@ public:
   /// Whether a triangle is much longer than high, so that it is never split into four. The four
   /// parts of another triangle are not thin, whatever their shapes.
   bool isThin(Id triangle) const;
+  /// Whether a triangle has an area beyond rounding.
+  bool hasArea(Id triangle) const;
   /// Whether one of these parts of a leaf's edges is about as short as the strip there is wide: its
   /// triangle, of those that close the leaf, is not thin, or the part is the shortest side.
   bool isAnyAsShortAsWide(Id triangle, const std::vector<Id>& edges) const;

@@ -153,7 +153,7 @@ void RefinementWorkers::releaseWholeOf(Id part)
   }
 }
 
-double RefinementWorkers::bestSplit(Id id, const std::array<double, 2>& growth)
+double RefinementWorkers::bestSplit(Id id, const StripCorners& corners)
 {
   Edge& edge = this->measured(id);
   if (!edge.part)
@@ -163,7 +163,7 @@ double RefinementWorkers::bestSplit(Id id, const std::array<double, 2>& growth)
   PartOfEdge& part = *edge.part;
   if (part.cuts.empty())
   {
-    part.cuts = part.distance->cuts(part.begin, part.end, this->tolerance_, growth);
+    part.cuts = part.distance->cuts(part.begin, part.end, this->tolerance_, corners);
   }
   double best = part.cuts.empty() ? 0.5 : Infinity;
   for (const double cut : part.cuts)

@@ -132,7 +132,7 @@ public:
   /// Where to split an edge so that the fewest pieces within the tolerance come out, as a fraction
   /// of its length: the cut nearest to the middle (DistanceAlongEdge::cuts). Its parts have the
   /// other cuts.
-  double bestSplit(Id edge, const std::array<double, 2>& growth);
+  double bestSplit(Id edge, const StripCorners& corners);
   /// Measures all edges that have not been measured yet, in parallel.
   void measure(const std::vector<Id>& edges);
   /// Forgets the edges that no longer exist.
