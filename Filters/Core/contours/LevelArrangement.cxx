@@ -53,11 +53,15 @@ void LevelArrangement::assign(const FaceLevel& level, bool withBent, double offs
   this->level_ = &level;
   this->regions_.clear();
   this->curves_.clear();
-  for (const DistanceCandidate& c : level.face.candidates())
+  const std::vector<DistanceCandidate>& candidates = level.face.candidates();
+  for (std::size_t i = 0; i < candidates.size(); ++i)
   {
-    this->addRegion(c, offset);
+    if (withBent || !level.face.isRegularCorner(i))
+    {
+      this->addRegion(candidates[i], offset);
+    }
   }
-  for (const DistanceCandidate& c : level.face.candidates())
+  for (const DistanceCandidate& c : candidates)
   {
     if (withBent && c.hasPencil())
     {
