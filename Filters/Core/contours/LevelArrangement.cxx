@@ -11,15 +11,6 @@ namespace geodesic
 namespace
 {
 
-// With some room for roundings.
-PlaneBox boxAround(const std::array<Vec2, 3>& corners, double size)
-{
-  const auto [lowX, highX] = std::minmax({ corners[0].x, corners[1].x, corners[2].x });
-  const auto [lowY, highY] = std::minmax({ corners[0].y, corners[1].y, corners[2].y });
-  return { { lowX - tolerance::PlaneBoxRoom * size, lowY - tolerance::PlaneBoxRoom * size },
-    { highX + tolerance::PlaneBoxRoom * size, highY + tolerance::PlaneBoxRoom * size } };
-}
-
 /// The lines along a triangle's edges; an edge without length has no direction.
 std::array<PlaneLine, 3> edgesOf(const std::array<Vec2, 3>& corners)
 {
@@ -45,7 +36,6 @@ FaceLevel::FaceLevel(const FaceDistance& distance, double levelValue)
   , gap(tolerance::IsolineGap * std::min(size, value))
   , slack(tolerance::IsolineValue * (value + size))
 {
-  this->box = boxAround(this->corners, this->size);
 }
 
 void LevelArrangement::assign(const FaceLevel& level, bool withBent, double offset)
@@ -96,16 +86,11 @@ void LevelArrangement::addRegion(const DistanceCandidate& candidate, double offs
   const double offsetScale = this->level_->value +
     std::min(this->level_->size, tolerance::OffsetFaceInValues * this->level_->value);
   const double value = this->level_->value - static_cast<double>(number) * offset * offsetScale;
-  this->regions_.emplace_back(
-    candidate, number, value, tolerance::PencilMargin * this->level_->size);
-  const LevelRegion& region = this->regions_.back();
-  if (region.hasPointsBefore(value) && !region.misses(this->level_->box))
+  if (hasPointsBefore(candidate, value))
   {
-    region.addCurves(this->level_->box, this->curves_);
-  }
-  else
-  {
-    this->regions_.pop_back();
+    this->regions_.emplace_back(
+      candidate, number, value, tolerance::PencilMargin * this->level_->size);
+    this->regions_.back().addCurves(this->level_->corners, this->level_->gap, this->curves_);
   }
 }
 

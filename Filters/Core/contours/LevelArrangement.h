@@ -20,7 +20,6 @@ struct FaceLevel
   const FaceDistance& face;
   double value;
   std::array<Vec2, 3> corners;
-  PlaneBox box;
   /// The face's longest edge, and how far apart two ends of lines may be that meet.
   double size;
   double gap;
