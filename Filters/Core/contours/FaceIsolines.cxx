@@ -127,10 +127,11 @@ private:
       this->job_.look();
       for (std::size_t j = 0; j < this->to_.size(); ++j)
       {
-        const double gap = norm(this->to_[j].at - this->from_[i].at);
-        if (gap <= largestGap && !this->from_[i].isJoined && !this->to_[j].isJoined)
+        const Vec2 apart = this->to_[j].at - this->from_[i].at;
+        if (std::abs(apart.x) <= largestGap && norm(apart) <= largestGap &&
+          !this->from_[i].isJoined && !this->to_[j].isJoined)
         {
-          pairs.emplace_back(gap, i, j);
+          pairs.emplace_back(norm(apart), i, j);
         }
       }
     }

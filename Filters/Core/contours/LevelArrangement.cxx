@@ -138,6 +138,11 @@ void LevelArrangement::cut(const LevelCurve& curve, const std::array<PlaneLine, 
       addMeetings(curve, edge, this->atEdges_);
     }
   }
+  if (isWithin)
+  {
+    this->cutByRegions(whole, 0.0, curve.extent, remainders);
+    return;
+  }
   const auto isInside = [&](Vec2 p)
   {
     return std::all_of(
@@ -148,18 +153,19 @@ void LevelArrangement::cut(const LevelCurve& curve, const std::array<PlaneLine, 
   double begin = 0.0;
   for (const double end : this->atEdges_)
   {
-    if (end > begin && (isWithin || isInside(curve.at(0.5 * (begin + end)))))
+    if (end > begin && isInside(curve.at(0.5 * (begin + end))))
     {
-      this->cutByRegions(curve, begin, end, remainders);
+      const CurvePart part(curve, begin, end, this->level_->gap);
+      this->cutByRegions(part, begin, end, remainders);
     }
     begin = std::max(begin, end);
   }
 }
 
 void LevelArrangement::cutByRegions(
-  const LevelCurve& curve, double first, double last, std::vector<Remainder>& remainders)
+  const CurvePart& part, double first, double last, std::vector<Remainder>& remainders)
 {
-  const CurvePart part(curve, first, last, this->level_->gap);
+  const LevelCurve& curve = part.curve;
   const Interval extent = part.alongAxis(this->axis_);
   this->atRegions_.clear();
   this->near_.clear();

@@ -67,7 +67,7 @@ private:
   void cut(const LevelCurve& curve, const std::array<PlaneLine, 3>& edges,
     std::vector<Remainder>& remainders);
   void cutByRegions(
-    const LevelCurve& curve, double first, double last, std::vector<Remainder>& remainders);
+    const CurvePart& part, double first, double last, std::vector<Remainder>& remainders);
   bool remains(Vec2 p) const;
   bool isScrap(const Remainder& remainder) const;
 
