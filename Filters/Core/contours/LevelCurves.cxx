@@ -202,8 +202,9 @@ bool LevelRegion::covers(const CurvePart& part) const
     this->mostStraightTo(part) < this->level_;
 }
 
-// Rays go from the window no farther than the face is long. In a pencil of up to 60 degrees they
-// end before the chord between the two at its ends, if these are twice as long.
+// Rays go from the window no farther than the face is long, nor than the value is over the least
+// distance there. In a pencil of up to 60 degrees they end before the chord between the two at its
+// ends, if these are twice as long.
 Interval LevelRegion::alongAxis(Vec2 axis, double size) const
 {
   const Vec2 first = this->rays_[0].along;
@@ -212,10 +213,12 @@ Interval LevelRegion::alongAxis(Vec2 axis, double size) const
   {
     return { -Infinity, Infinity };
   }
-  const auto [least, most] = std::minmax({ dot(axis, this->candidate_.begin),
-    dot(axis, this->candidate_.end), dot(axis, this->candidate_.begin + 2.0 * size * first),
-    dot(axis, this->candidate_.end + 2.0 * size * last) });
-  return { least - this->margin_, most + this->margin_ };
+  const DistanceCandidate& c = this->candidate_;
+  const double least = std::min(c.atBegin, c.atEnd) - norm(c.end - c.begin);
+  const double reach = 2.0 * std::min(size, this->level_ + c.sigma - least);
+  const auto [low, high] = std::minmax({ dot(axis, c.begin), dot(axis, c.end),
+    dot(axis, c.begin + reach * first), dot(axis, c.end + reach * last) });
+  return { low - this->margin_, high + this->margin_ };
 }
 
 bool LevelRegion::contains(Vec2 p) const
