@@ -465,9 +465,9 @@ private:
 
 } // anonymous namespace
 
-// Draws the face in one part if that is possible. Paths that bend at a window's end only fill gaps
-// that rounding leaves between pencils: they are tried last. So is a larger offset between curves,
-// which orders curves that nearly coincide.
+// Draws the face in one part if that is possible. Paths that bend at a window's end or at a regular
+// corner only fill gaps that rounding leaves between pencils: they are tried last. So is a larger
+// offset between curves, which orders curves that nearly coincide.
 void drawInFace(const FaceDistance& face, double level, Id valueId,
   const std::vector<OutlinePoint>& outline, bool below, IsolineTask& task)
 {

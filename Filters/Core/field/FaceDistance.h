@@ -77,11 +77,13 @@ public:
 
   const std::vector<DistanceCandidate>& candidates() const { return this->candidates_; }
   /// Whether a candidate is a corner at which no shortest path bends. Then others are as short
-  /// everywhere, but for rounding.
+  /// everywhere, but for rounding. Not close to sources: paths from a point beside a vertex
+  /// (NearVertex) come to the faces around it by the vertex alone.
   bool isRegularCorner(std::size_t candidate) const
   {
     const std::size_t k = candidate - this->firstCorner_;
     return k < 3 &&
+      this->candidates_[candidate].sigma > this->mesh_->shape(this->face_).longest() &&
       this->mesh_->pseudoSource(this->mesh_->triangle(this->face_)[k]) ==
       TriangleMesh::PseudoSource::None;
   }
