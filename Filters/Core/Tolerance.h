@@ -166,10 +166,6 @@ constexpr double BelowValue = 1e-13;
 /// and the edge: the points of all edges around a vertex at exactly the value are then one place.
 constexpr double IsolineAtVertex = 4.0 * BelowValue;
 
-/// A box around a face in its plane is larger by this fraction of the face's size, far more than
-/// any rounding: it only tells which curves cannot be near.
-constexpr double PlaneBoxRoom = 1e-3;
-
 /// The side of a chord of an isoline is asked this fraction of the chord from its ends: at the ends
 /// themselves two sides may meet.
 constexpr double BesideChordEnd = 1e-6;

@@ -95,6 +95,8 @@ public:
     {
       (p.leaves ? this->to_ : this->from_).push_back({ p.at, owner++ });
     }
+    std::sort(this->to_.begin(), this->to_.end(),
+      [](const LooseEnd& a, const LooseEnd& b) { return a.at.x < b.at.x; });
   }
 
   /// Joins ends of lines, the nearest ones first. Returns what follows each remainder, and each
@@ -125,12 +127,15 @@ private:
     for (std::size_t i = 0; i < this->from_.size(); ++i)
     {
       this->job_.look();
-      for (std::size_t j = 0; j < this->to_.size(); ++j)
+      const LooseEnd& from = this->from_[i];
+      auto to = std::partition_point(this->to_.begin(), this->to_.end(),
+        [&](const LooseEnd& end) { return end.at.x < from.at.x - largestGap; });
+      for (; to != this->to_.end() && to->at.x <= from.at.x + largestGap; ++to)
       {
-        const double gap = norm(this->to_[j].at - this->from_[i].at);
-        if (gap <= largestGap && !this->from_[i].isJoined && !this->to_[j].isJoined)
+        const double gap = norm(to->at - from.at);
+        if (gap <= largestGap && !from.isJoined && !to->isJoined)
         {
-          pairs.emplace_back(gap, i, j);
+          pairs.emplace_back(gap, i, static_cast<std::size_t>(to - this->to_.begin()));
         }
       }
     }
@@ -168,6 +173,7 @@ private:
   const FaceLevel& level_;
   const Job& job_;
   std::vector<LooseEnd> from_;
+  /// Ascending by x.
   std::vector<LooseEnd> to_;
   std::vector<std::size_t> next_;
 };
@@ -459,9 +465,9 @@ private:
 
 } // anonymous namespace
 
-// Draws the face in one part if that is possible. Paths that bend at a window's end only fill gaps
-// that rounding leaves between pencils: they are tried last. So is a larger offset between curves,
-// which orders curves that nearly coincide.
+// Draws the face in one part if that is possible. Paths that bend at a window's end or at a regular
+// corner only fill gaps that rounding leaves between pencils: they are tried last. So is a larger
+// offset between curves, which orders curves that nearly coincide.
 void drawInFace(const FaceDistance& face, double level, Id valueId,
   const std::vector<OutlinePoint>& outline, bool below, IsolineTask& task)
 {

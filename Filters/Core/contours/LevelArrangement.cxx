@@ -11,15 +11,6 @@ namespace geodesic
 namespace
 {
 
-// With some room for roundings.
-PlaneBox boxAround(const std::array<Vec2, 3>& corners, double size)
-{
-  const auto [lowX, highX] = std::minmax({ corners[0].x, corners[1].x, corners[2].x });
-  const auto [lowY, highY] = std::minmax({ corners[0].y, corners[1].y, corners[2].y });
-  return { { lowX - tolerance::PlaneBoxRoom * size, lowY - tolerance::PlaneBoxRoom * size },
-    { highX + tolerance::PlaneBoxRoom * size, highY + tolerance::PlaneBoxRoom * size } };
-}
-
 /// The lines along a triangle's edges; an edge without length has no direction.
 std::array<PlaneLine, 3> edgesOf(const std::array<Vec2, 3>& corners)
 {
@@ -45,7 +36,6 @@ FaceLevel::FaceLevel(const FaceDistance& distance, double levelValue)
   , gap(tolerance::IsolineGap * std::min(size, value))
   , slack(tolerance::IsolineValue * (value + size))
 {
-  this->box = boxAround(this->corners, this->size);
 }
 
 void LevelArrangement::assign(const FaceLevel& level, bool withBent, double offset)
@@ -53,11 +43,15 @@ void LevelArrangement::assign(const FaceLevel& level, bool withBent, double offs
   this->level_ = &level;
   this->regions_.clear();
   this->curves_.clear();
-  for (const DistanceCandidate& c : level.face.candidates())
+  const std::vector<DistanceCandidate>& candidates = level.face.candidates();
+  for (std::size_t i = 0; i < candidates.size(); ++i)
   {
-    this->addRegion(c, offset);
+    if (withBent || !level.face.isRegularCorner(i))
+    {
+      this->addRegion(candidates[i], offset);
+    }
   }
-  for (const DistanceCandidate& c : level.face.candidates())
+  for (const DistanceCandidate& c : candidates)
   {
     if (withBent && c.hasPencil())
     {
@@ -92,16 +86,11 @@ void LevelArrangement::addRegion(const DistanceCandidate& candidate, double offs
   const double offsetScale = this->level_->value +
     std::min(this->level_->size, tolerance::OffsetFaceInValues * this->level_->value);
   const double value = this->level_->value - static_cast<double>(number) * offset * offsetScale;
-  this->regions_.emplace_back(
-    candidate, number, value, tolerance::PencilMargin * this->level_->size);
-  const LevelRegion& region = this->regions_.back();
-  if (region.hasPointsBefore(value) && !region.misses(this->level_->box))
+  if (hasPointsBefore(candidate, value))
   {
-    region.addCurves(this->level_->box, this->curves_);
-  }
-  else
-  {
-    this->regions_.pop_back();
+    this->regions_.emplace_back(
+      candidate, number, value, tolerance::PencilMargin * this->level_->size);
+    this->regions_.back().addCurves(this->level_->corners, this->level_->gap, this->curves_);
   }
 }
 
@@ -149,6 +138,11 @@ void LevelArrangement::cut(const LevelCurve& curve, const std::array<PlaneLine, 
       addMeetings(curve, edge, this->atEdges_);
     }
   }
+  if (isWithin)
+  {
+    this->cutByRegions(whole, 0.0, curve.extent, remainders);
+    return;
+  }
   const auto isInside = [&](Vec2 p)
   {
     return std::all_of(
@@ -159,18 +153,19 @@ void LevelArrangement::cut(const LevelCurve& curve, const std::array<PlaneLine, 
   double begin = 0.0;
   for (const double end : this->atEdges_)
   {
-    if (end > begin && (isWithin || isInside(curve.at(0.5 * (begin + end)))))
+    if (end > begin && isInside(curve.at(0.5 * (begin + end))))
     {
-      this->cutByRegions(curve, begin, end, remainders);
+      const CurvePart part(curve, begin, end, this->level_->gap);
+      this->cutByRegions(part, begin, end, remainders);
     }
     begin = std::max(begin, end);
   }
 }
 
 void LevelArrangement::cutByRegions(
-  const LevelCurve& curve, double first, double last, std::vector<Remainder>& remainders)
+  const CurvePart& part, double first, double last, std::vector<Remainder>& remainders)
 {
-  const CurvePart part(curve, first, last, this->level_->gap);
+  const LevelCurve& curve = part.curve;
   const Interval extent = part.alongAxis(this->axis_);
   this->atRegions_.clear();
   this->near_.clear();

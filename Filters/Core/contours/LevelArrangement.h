@@ -20,7 +20,6 @@ struct FaceLevel
   const FaceDistance& face;
   double value;
   std::array<Vec2, 3> corners;
-  PlaneBox box;
   /// The face's longest edge, and how far apart two ends of lines may be that meet.
   double size;
   double gap;
@@ -52,7 +51,9 @@ public:
   /// (tolerance::CurveOffset).
   ///
   /// \param level must outlive the use of the arrangement.
-  /// \param withBent whether to add the paths that bend at the ends of windows.
+  /// \param withBent whether to add the paths that bend at the ends of windows and at regular
+  /// corners,
+  ///        which no shortest path does.
   /// \param offset of the curves from each other, as a fraction.
   void assign(const FaceLevel& level, bool withBent, double offset);
 
@@ -68,7 +69,7 @@ private:
   void cut(const LevelCurve& curve, const std::array<PlaneLine, 3>& edges,
     std::vector<Remainder>& remainders);
   void cutByRegions(
-    const LevelCurve& curve, double first, double last, std::vector<Remainder>& remainders);
+    const CurvePart& part, double first, double last, std::vector<Remainder>& remainders);
   bool remains(Vec2 p) const;
   bool isScrap(const Remainder& remainder) const;
 

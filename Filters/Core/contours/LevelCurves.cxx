@@ -106,18 +106,6 @@ void addMeetingsWithCircle(
 
 } // anonymous namespace
 
-double PlaneBox::nearest(Vec2 p) const
-{
-  return norm(Vec2{ std::max({ this->low.x - p.x, 0.0, p.x - this->high.x }),
-    std::max({ this->low.y - p.y, 0.0, p.y - this->high.y }) });
-}
-
-double PlaneBox::farthest(Vec2 p) const
-{
-  return norm(Vec2{ std::max(p.x - this->low.x, this->high.x - p.x),
-    std::max(p.y - this->low.y, this->high.y - p.y) });
-}
-
 // An arc is not farther from its chord than this, nor than its own length.
 CurvePart::CurvePart(const LevelCurve& levelCurve, double from, double to, double gap)
   : curve(levelCurve)
@@ -159,6 +147,21 @@ void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<dou
   }
 }
 
+bool hasPointsBefore(const DistanceCandidate& c, double value)
+{
+  if (!c.hasPencil())
+  {
+    return c.sigma < value;
+  }
+  if (std::min(c.atBegin, c.atEnd) < value || c.kind == DistanceCandidate::Kind::Linear)
+  {
+    return std::min(c.atBegin, c.atEnd) < value;
+  }
+  const Vec2 along = unitOr(c.end - c.begin, { 1.0, 0.0 });
+  const double x = std::clamp(dot(c.source - c.begin, along), 0.0, norm(c.end - c.begin));
+  return c.sigma + norm(c.begin + x * along - c.source) < value;
+}
+
 LevelRegion::LevelRegion(
   const DistanceCandidate& candidate, std::size_t number, double value, double margin)
   : candidate_(candidate)
@@ -177,36 +180,12 @@ LevelRegion::LevelRegion(
   }
 }
 
-bool LevelRegion::hasPointsBefore(double value) const
-{
-  const DistanceCandidate& c = this->candidate_;
-  if (c.kind == DistanceCandidate::Kind::Linear)
-  {
-    return std::min(c.atBegin, c.atEnd) < value;
-  }
-  if (c.kind != DistanceCandidate::Kind::Circular)
-  {
-    return this->level_ > 0.0;
-  }
-  const Vec2 along = unitOr(c.end - c.begin, { 1.0, 0.0 });
-  const double x = std::clamp(dot(c.source - c.begin, along), 0.0, norm(c.end - c.begin));
-  return this->level_ > 0.0 && norm(c.begin + x * along - c.source) < this->level_;
-}
-
 double LevelRegion::straightTo(Vec2 p) const
 {
   const DistanceCandidate& c = this->candidate_;
   return c.kind == DistanceCandidate::Kind::Linear ? dot(c.source, p)
     : c.kind == DistanceCandidate::Kind::Segment   ? c.distance(p)
                                                    : norm(p - c.source);
-}
-
-double LevelRegion::leastStraightTo(const PlaneBox& box) const
-{
-  const DistanceCandidate& c = this->candidate_;
-  return c.kind == DistanceCandidate::Kind::Linear ? dot(c.source, box.corner(-1.0 * c.source))
-    : c.kind == DistanceCandidate::Kind::Segment   ? 0.0
-                                                   : box.nearest(c.source);
 }
 
 // Slopes are at most 1.
@@ -223,8 +202,9 @@ bool LevelRegion::covers(const CurvePart& part) const
     this->mostStraightTo(part) < this->level_;
 }
 
-// Rays go from the window no farther than the face is long. In a pencil of up to 60 degrees they
-// end before the chord between the two at its ends, if these are twice as long.
+// Rays go from the window no farther than the face is long, nor than the value is over the least
+// distance there. In a pencil of up to 60 degrees they end before the chord between the two at its
+// ends, if these are twice as long.
 Interval LevelRegion::alongAxis(Vec2 axis, double size) const
 {
   const Vec2 first = this->rays_[0].along;
@@ -233,10 +213,12 @@ Interval LevelRegion::alongAxis(Vec2 axis, double size) const
   {
     return { -Infinity, Infinity };
   }
-  const auto [least, most] = std::minmax({ dot(axis, this->candidate_.begin),
-    dot(axis, this->candidate_.end), dot(axis, this->candidate_.begin + 2.0 * size * first),
-    dot(axis, this->candidate_.end + 2.0 * size * last) });
-  return { least - this->margin_, most + this->margin_ };
+  const DistanceCandidate& c = this->candidate_;
+  const double least = std::min(c.atBegin, c.atEnd) - norm(c.end - c.begin);
+  const double reach = 2.0 * std::min(size, this->level_ + c.sigma - least);
+  const auto [low, high] = std::minmax({ dot(axis, c.begin), dot(axis, c.end),
+    dot(axis, c.begin + reach * first), dot(axis, c.end + reach * last) });
+  return { low - this->margin_, high + this->margin_ };
 }
 
 bool LevelRegion::contains(Vec2 p) const
@@ -246,22 +228,24 @@ bool LevelRegion::contains(Vec2 p) const
     this->straightTo(p) < this->level_;
 }
 
-void LevelRegion::addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves) const
+void LevelRegion::addCurves(
+  const std::array<Vec2, 3>& corners, double gap, std::vector<LevelCurve>& curves) const
 {
   const DistanceCandidate& c = this->candidate_;
   const double r = this->level_;
+  const auto isReached = [&](Vec2 corner) { return r <= norm(corner - c.source) + gap; };
   switch (c.kind)
   {
     case DistanceCandidate::Kind::Cone:
-      if (r <= box.farthest(c.source))
+      if (std::any_of(corners.begin(), corners.end(), isReached))
       {
         addArcs(this->number_, c.source, r, { 1.0, 0.0 }, 2.0 * Pi, curves);
       }
       break;
     case DistanceCandidate::Kind::Circular:
-      if (r <= box.farthest(c.source))
+      if (std::any_of(corners.begin(), corners.end(), isReached))
       {
-        this->addArc(curves);
+        this->addArc(this->rays_[0].along, -1.0 * this->rays_[1].along, curves);
       }
       break;
     case DistanceCandidate::Kind::Linear:
@@ -292,14 +276,12 @@ void LevelRegion::addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves
 }
 
 // From the margin before the one ray to that behind the other; the rays pass through the centre.
-void LevelRegion::addArc(std::vector<LevelCurve>& curves) const
+void LevelRegion::addArc(Vec2 first, Vec2 last, std::vector<LevelCurve>& curves) const
 {
   constexpr double smallSine = 0.1;
   // The angle of the margin, seen from the centre.
   const double sine = std::min(1.0, this->margin_ / this->level_);
   const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
-  const Vec2 first = this->rays_[0].along;
-  const Vec2 last = -1.0 * this->rays_[1].along;
   const Vec2 axis = turnedClockwise(first, -sine / (1.0 + cosine));
   const double towards = dot(first, last);
   if (towards > 0.0 && sine < smallSine)

@@ -59,24 +59,6 @@ struct CurvePart
   }
 };
 
-/// A rectangle around a face. Places outside it do not matter.
-struct PlaneBox
-{
-  Vec2 low;
-  Vec2 high;
-
-  /// The corner that is farthest in a direction, also if all are compared with rounding: rounding
-  /// keeps the order.
-  Vec2 corner(Vec2 direction) const
-  {
-    return { direction.x < 0.0 ? this->low.x : this->high.x,
-      direction.y < 0.0 ? this->low.y : this->high.y };
-  }
-  /// The least distance of its points from p, and the largest.
-  double nearest(Vec2 p) const;
-  double farthest(Vec2 p) const;
-};
-
 inline Vec2 leftOf(Vec2 direction)
 {
   return { -direction.y, direction.x };
@@ -90,11 +72,6 @@ struct PlaneLine
 
   /// How far to the left of the line a point lies.
   double aside(Vec2 p) const { return cross(this->along, p - this->point); }
-  /// The same of the point of a box that lies farthest to the right.
-  double leastAside(const PlaneBox& box) const
-  {
-    return this->aside(box.corner(-1.0 * leftOf(this->along)));
-  }
   /// Bounds of the same for the points of a part of a curve.
   double leastAside(const CurvePart& part) const
   {
@@ -116,6 +93,9 @@ struct PlaneLine
 /// Appends the parameters on the curve where it meets a line, in no order.
 void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<double>& parameters);
 
+/// Whether one of a candidate's ways begins before the value, at its window or its source.
+bool hasPointsBefore(const DistanceCandidate& candidate, double value);
+
 /// The points that one distance candidate reaches straight within a value: a convex region bounded
 /// by the rays at the ends of the candidate's window and by level curves.
 class LevelRegion
@@ -124,26 +104,17 @@ public:
   /// \param margin by which the pencil is widened, so that those of neighbours leave no gap.
   LevelRegion(const DistanceCandidate& candidate, std::size_t number, double value, double margin);
 
-  /// Whether a way through the window's nearest point, or from the source, begins before the value.
-  /// If not, the region is empty.
-  bool hasPointsBefore(double value) const;
   bool contains(Vec2 p) const;
   /// The direction of one of its rays; zero without a pencil.
   Vec2 direction() const { return this->rays_[0].along; }
   /// Bounds of where its points in a face of that size lie along an axis.
   Interval alongAxis(Vec2 axis, double size) const;
-  /// Appends the curves that bound it in the box, each as far as the widened pencil goes.
-  void addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves) const;
-  /// Whether one of the lines that bound the region separates it from a box. If not, it may miss
-  /// the box nevertheless.
-  bool misses(const PlaneBox& box) const
-  {
-    return std::any_of(this->rays().begin(), this->rays().end(),
-             [&](const PlaneLine& ray) { return ray.leastAside(box) > this->margin_; }) ||
-      this->leastStraightTo(box) > this->level_;
-  }
-  /// The same for a part of a curve, but for gaps: where the widened pencils of neighbours overlap,
-  /// the ends of their curves are one, and need not be cut.
+  /// Appends the curves that bound it near a face, each as far as the widened pencil goes.
+  void addCurves(
+    const std::array<Vec2, 3>& corners, double gap, std::vector<LevelCurve>& curves) const;
+  /// Whether one of the lines that bound the region separates it from a part of a curve, but for
+  /// gaps: where the widened pencils of neighbours overlap, the ends of their curves are one, and
+  /// need not be cut. If not, it may miss the part nevertheless.
   bool misses(const CurvePart& part) const
   {
     return std::any_of(this->rays().begin(), this->rays().end(),
@@ -161,15 +132,14 @@ private:
     return { this->rays_.data(), this->rays_.data() + (this->candidate_.hasPencil() ? 2 : 0) };
   }
   // The length of the way straight to a point, from the source or along parallel rays; a lower
-  // bound of it to the points of a box or of a part of a curve, and an upper one.
+  // bound of it to the points of a part of a curve, and an upper one.
   double straightTo(Vec2 p) const;
-  double leastStraightTo(const PlaneBox& box) const;
   double leastStraightTo(const CurvePart& part) const;
   double mostStraightTo(const CurvePart& part) const
   {
     return std::max(this->straightTo(part.begin), this->straightTo(part.end)) + part.room;
   }
-  void addArc(std::vector<LevelCurve>& curves) const;
+  void addArc(Vec2 first, Vec2 last, std::vector<LevelCurve>& curves) const;
 
   DistanceCandidate candidate_;
   std::size_t number_;

@@ -83,6 +83,7 @@ FaceDistance::FaceDistance(
   {
     this->addHalfedge(field, TriangleMesh::halfedgeOf(face, k));
   }
+  this->firstCorner_ = this->candidates_.size();
   for (std::size_t k = 0; k < 3; ++k)
   {
     this->candidates_.push_back(

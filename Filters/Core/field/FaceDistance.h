@@ -76,6 +76,17 @@ public:
   Barycentric fromPlane(Vec2 p) const { return fromHalfedgeFrame(*this->mesh_, this->frame_, p); }
 
   const std::vector<DistanceCandidate>& candidates() const { return this->candidates_; }
+  /// Whether a candidate is a corner at which no shortest path bends. Then others are as short
+  /// everywhere, but for rounding. Not close to sources: paths from a point beside a vertex
+  /// (NearVertex) come to the faces around it by the vertex alone.
+  bool isRegularCorner(std::size_t candidate) const
+  {
+    const std::size_t k = candidate - this->firstCorner_;
+    return k < 3 &&
+      this->candidates_[candidate].sigma > this->mesh_->shape(this->face_).longest() &&
+      this->mesh_->pseudoSource(this->mesh_->triangle(this->face_)[k]) ==
+      TriangleMesh::PseudoSource::None;
+  }
   std::vector<DistanceCandidate> releaseMemory() { return std::move(this->candidates_); }
 
   /// The distance at a point of the face.
@@ -89,6 +100,7 @@ private:
   Id face_;
   Id frame_;
   std::vector<DistanceCandidate> candidates_;
+  std::size_t firstCorner_;
 };
 
 }

@@ -6,6 +6,7 @@
 #include "Errors.h"
 #include "Tolerance.h"
 #include "contours/SolveForIsolines.h"
+#include "field/FaceDistance.h"
 
 #include <gtest/gtest.h>
 
@@ -134,6 +135,32 @@ TEST_P(RandomIsolines, PointsAreAtTheValueAndChordsNearIt)
   EXPECT_EQ(straight, 0U);
   std::cout << GetParam().name << ": points " << worstPoint << ", chords " << worstChord
             << " of the largest distance; parts crossed straight " << straight << "\n";
+}
+
+// They are drawn without the regular corners where that is possible.
+TEST_P(RandomIsolines, NeedNoCornersAtWhichNoPathBends)
+{
+  for (std::uint64_t seed = 0; seed < Meshes; ++seed)
+  {
+    Random random(seed + 77000);
+    const Drawn drawn(GetParam(), random.between(30, 300), random);
+    const geodesic::DistanceField field =
+      solveKeepingAll(drawn.mesh, engineCurves(drawn.mesh, drawn.curves));
+    for (const MeshPoint& place : randomPoints(drawn.plain, 300, random))
+    {
+      const geodesic::FaceDistance face(field, static_cast<geodesic::Id>(place.face));
+      const geodesic::Vec2 p = face.inPlane(place.weights);
+      double least = geodesic::Infinity;
+      for (std::size_t i = 0; i < face.candidates().size(); ++i)
+      {
+        const double distance = face.candidates()[i].distance(p);
+        least = face.isRegularCorner(i) ? least : std::min(least, distance);
+      }
+      const double most = face.distance(p) + accuracyOn(GetParam()) * drawn.largest;
+      EXPECT_TRUE(least <= most || face.distance(p) == geodesic::Infinity)
+        << "seed " << seed << ", face " << place.face << ": " << least << ", " << most;
+    }
+  }
 }
 
 TEST_P(RandomIsolines, AreAsManyAndAsClosedAsTheSublevelSetsHaveBoundaries)
