@@ -22,6 +22,7 @@ WHITE, PALE, GRAY, DARK = (0.97, 0.96, 0.94), (0.87, 0.87, 0.85), (0.75, 0.75, 0
 RINGS = (0.15, 0.45, 0.65), (0.35, 0.70, 0.60), (0.55, 0.45, 0.70), (0.25, 0.25, 0.28)
 REGIONS = ((0.98, 0.80, 0.40), (0.87, 0.42, 0.40), (0.45, 0.66, 0.55),
            (0.36, 0.42, 0.68), (0.72, 0.56, 0.76), (0.66, 0.80, 0.90))
+CORNER = (0.02, 0.03)  # of a picture, in fractions of its width and height
 
 
 def load_plugin():
@@ -57,16 +58,17 @@ def striped(colors, darkness=0.28):
     return [mix(color, (0, 0, 0), darkness) if i % 2 else color for i, color in enumerate(colors)]
 
 
-def stripes(display, width=None, largest=None, unit="", at=(0.02, 0.03)):
+def stripes(display, width=None, largest=None, unit="", at=CORNER):
     """Colors a display by its distance in stripes of one round width, up to the largest distance, and notes the
-    width in the picture."""
+    width in the picture at a place, if one is given."""
     array = ("POINTS", "GeodesicDistance")
     simple.ColorBy(display, array)
     largest = largest or range_of(display)[1]
     width = width or round_width(largest)
     count = int(np.ceil(largest / width))
     steps(display, array, 0, count * width, striped(shades(count)))
-    note(f"Stripes are {width:g}{unit} wide", at)
+    if at is not None:
+        note(f"Stripes are {width:g}{unit} wide", at)
 
 
 def round_width(largest, most=30):
@@ -195,7 +197,7 @@ def with_normals(surface):
 
 
 # ------------------------------------------------------------------------------------------ words
-def note(text, at=(0.02, 0.03), size=18):
+def note(text, at=CORNER, size=18):
     """Writes words into the view that is active, from a place on in fractions of its width and height."""
     display = simple.Show(simple.Text(Text=text))
     display.WindowLocation = "Any Location"

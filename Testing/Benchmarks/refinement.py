@@ -112,7 +112,7 @@ def view_of(field, edges, direction, upward):
     """A view of the field with stripes, and with the edges of its triangles or not."""
     view = look.view(field, direction, upward, (500, 500))
     display = simple.Show(field, view)
-    look.stripes(display)
+    look.stripes(display, at=None if edges else look.CORNER)  # edges leave no room for words
     if edges:
         display.SetRepresentationType("Surface With Edges")
         display.EdgeColor = (0.1, 0.1, 0.1)
