@@ -70,48 +70,68 @@ std::vector<double> otherSide(double growth, Random& random)
 
 constexpr double Angle = 1e-4;
 
+/// A corner whose other side has points already.
+struct HalfCutCorner
+{
+  double growth;
+  std::vector<double> other;
+  StripCorner corner = { this->growth, this->other };
+};
+
+/// \param cut (const HalfCutCorner&, Random&, std::vector<double>& own) -> void: puts points onto
+///        the own side, ascending.
+template <typename Cut>
+void expectAnglesKept(const Cut& cut)
+{
+  for (std::uint64_t seed = 1; seed <= 200; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const double growth = random.uniform(2.0, 5.0);
+    const HalfCutCorner half{ growth, otherSide(growth, random) };
+    std::vector<double> own;
+    cut(half, random, own);
+    if (testing::Test::HasFatalFailure())
+    {
+      return;
+    }
+    EXPECT_GE(smallestAngle(Angle, own, half.other), 0.99 * Angle / (growth - 1.0));
+    EXPECT_LE(own.size(), 2 * half.other.size());
+  }
+}
+
 }
 
 TEST(StripCorner, PiecesAwayFromItKeepTheAngle)
 {
-  for (std::uint64_t seed = 1; seed <= 200; ++seed)
-  {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    const double growth = random.uniform(2.0, 5.0);
-    const std::vector<double> other = otherSide(growth, random);
-    const StripCorner corner(growth, other);
-    std::vector<double> own = { corner.away(0.0, random.uniform(0.7, 1.3)) };
-    while (own.back() < other.back())
+  expectAnglesKept(
+    [](const HalfCutCorner& half, Random& random, std::vector<double>& own)
     {
-      own.push_back(corner.away(own.back(), 1e3 * other.back()));
-      ASSERT_GT(own.back(), own[own.size() - 2]);
-    }
-    EXPECT_GE(smallestAngle(Angle, own, other), 0.99 * Angle / (growth - 1.0));
-    EXPECT_LE(own.size(), 2 * other.size());
-  }
+      const double end = half.other.back();
+      own = { half.corner.away(0.0, random.uniform(0.7, 1.3)) };
+      while (own.back() < end)
+      {
+        own.push_back(half.corner.away(own.back(), 1e3 * end));
+        ASSERT_GT(own.back(), own[own.size() - 2]);
+      }
+    });
 }
 
 TEST(StripCorner, PiecesTowardsItKeepTheAngle)
 {
-  for (std::uint64_t seed = 1; seed <= 200; ++seed)
-  {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    const double growth = random.uniform(2.0, 5.0);
-    const std::vector<double> other = otherSide(growth, random);
-    const StripCorner corner(growth, other);
-    std::vector<double> own = { other.back() * random.uniform(1.0, growth) };
-    while (own.back() > growth)
+  expectAnglesKept(
+    [](const HalfCutCorner& half, Random& random, std::vector<double>& own)
     {
-      own.push_back(corner.towards(own.back(), 1e-3));
-      ASSERT_LT(own.back(), own[own.size() - 2]);
-    }
-    EXPECT_EQ(corner.towards(own.back(), 0.0), 0.0) << "the piece at the corner may be as long";
-    std::reverse(own.begin(), own.end());
-    EXPECT_GE(smallestAngle(Angle, own, other), 0.99 * Angle / (growth - 1.0));
-    EXPECT_LE(own.size(), 2 * other.size());
-  }
+      own = { half.other.back() * random.uniform(1.0, half.growth) };
+      while (own.back() > half.growth)
+      {
+        own.push_back(half.corner.towards(own.back(), 1e-3));
+        ASSERT_LT(own.back(), own[own.size() - 2]);
+      }
+      EXPECT_EQ(half.corner.towards(own.back(), 0.0), 0.0)
+        << "the piece at the corner may be as long";
+      std::reverse(own.begin(), own.end());
+    });
 }
 
 TEST(StripCorner, SidesThatTakeTurnsGrowByTheSquare)
