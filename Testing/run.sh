@@ -6,10 +6,11 @@
 #   bash Testing/run.sh [ARGUMENTS]         arguments go to CTest: -R NAME, -j N, ...
 #   bash Testing/run.sh --all [ARGUMENTS]   these, four more builds in build-testing/, and a test debian-13:
 #
-#   sanitize    the engine's tests under AddressSanitizer and UndefinedBehaviorSanitizer
+#   sanitize    the engine's tests under AddressSanitizer and UndefinedBehaviorSanitizer, compiled for
+#               processors with fused multiply-add where this is one
 #   threads     those of the engine's tests that run on threads, under ThreadSanitizer
-#   v3          the engine for processors with fused multiply-add: the same bits, and tests that fail
-#               where the compiler makes use of it
+#   v3          the engine as somebody builds it who asks for fused multiply-add and fast math: the same
+#               bits, and tests that fail where the compiler makes use of it
 #   vtk         all compiled against plain VTK, without ParaView, and the filters' tests
 #   debian-13   README's two commands on a clean Debian 13 (Testing/debian.sh), where this is another system
 #
@@ -53,20 +54,22 @@ unset VTK_DIR
 
 build paraview
 suites="paraview"
-if [ -n "$all" ]; then
-  # Half of a sanitizer's time is the compiler's: little optimization, and of debug information only
-  # the lines that a report names.
-  sanitized=(-DGEODESIC_CORE_ONLY=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
-    "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1 -DNDEBUG")
-  build sanitize "${sanitized[@]}" -DGEODESIC_SANITIZE=address,undefined
-  build threads "${sanitized[@]}" -DGEODESIC_SANITIZE=thread
-  suites+=" sanitize threads"
-fi
 v3=
 if [ -n "$all" ] && echo | "${CXX:-c++}" -march=x86-64-v3 -x c++ -fsyntax-only - 2> /dev/null &&
   /lib64/ld-linux-x86-64.so.2 --help | grep -q 'x86-64-v3 (supported'; then
-  v3=yes
-  build v3 -DGEODESIC_CORE_ONLY=ON -DCMAKE_CXX_FLAGS=-march=x86-64-v3 \
+  v3=-march=x86-64-v3
+fi
+if [ -n "$all" ]; then
+  # Half of a sanitizer's time is the compiler's: little optimization, and of debug information only
+  # the lines that a report names. GCC fuses multiplications and additions with the last option alone.
+  sanitized=(-DGEODESIC_CORE_ONLY=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
+    "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1 -DNDEBUG")
+  build sanitize "${sanitized[@]}" "-DCMAKE_CXX_FLAGS=$v3 -fexpensive-optimizations" -DGEODESIC_SANITIZE=address,undefined
+  build threads "${sanitized[@]}" -DGEODESIC_SANITIZE=thread
+  suites+=" sanitize threads"
+fi
+if [ -n "$v3" ]; then
+  build v3 -DGEODESIC_CORE_ONLY=ON "-DCMAKE_CXX_FLAGS=$v3 -ffast-math" \
     "-DGEODESIC_TEST_FILES=TestShortestPath|TestFacePropagation|TestTrigonometry"
   suites+=" v3"
 fi

@@ -2,7 +2,12 @@
 #ifndef geodesic_Tolerance_h
 #define geodesic_Tolerance_h
 
+#include <cfloat>
 #include <limits>
+
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "Compile without fast math, which changes roundings (see Filters/Package/FloatingPoint.cmake)"
+#endif
 
 /// All tolerances of the engine. Each is relative, and its comment says to what and why it has its
 /// size.
@@ -11,6 +16,8 @@ namespace geodesic::tolerance
 
 /// Rounding of one operation in double precision.
 constexpr double Rounding = std::numeric_limits<double>::epsilon();
+static_assert(FLT_EVAL_METHOD >= 0 && FLT_EVAL_METHOD != 2,
+  "Operations on double are not rounded to double: on 32-bit x86 compile with -msse2 -mfpmath=sse");
 
 /// A face has zero area if twice its area is below this fraction of its longest halfedge squared:
 /// the cross product of collinear corners leaves a few roundings. A corner over that edge is then
