@@ -35,7 +35,7 @@ struct Brought
 /// Processor seconds of this thread.
 double threadSeconds()
 {
-  std::timespec time = {};
+  timespec time = {}; // of POSIX
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }

@@ -96,7 +96,8 @@ public:
       (p.leaves ? this->to_ : this->from_).push_back({ p.at, owner++ });
     }
     std::sort(this->to_.begin(), this->to_.end(),
-      [](const LooseEnd& a, const LooseEnd& b) { return a.at.x < b.at.x; });
+      [](const LooseEnd& a, const LooseEnd& b)
+      { return a.at.x != b.at.x ? a.at.x < b.at.x : a.owner < b.owner; });
   }
 
   /// Joins ends of lines, the nearest ones first. Returns what follows each remainder, and each

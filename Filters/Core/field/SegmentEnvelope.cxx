@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 namespace geodesic
@@ -292,8 +293,11 @@ void SegmentEnvelope::cutNear(Vec2 p, Vec2 u, double length, bool withBent)
 bool SegmentEnvelope::build(Vec2 p, Vec2 u, double length, bool withBent)
 {
   this->cutNear(p, u, length, withBent);
+  // All of a piece is asked for: of pieces in one interval, the order decides about rounding.
+  const auto key = [](const Window& w)
+  { return std::tie(w.begin, w.end, w.sourceX, w.sourceDepth, w.sigma); };
   std::sort(this->pieces_.begin(), this->pieces_.end(),
-    [](const Window& a, const Window& b) { return a.begin < b.begin; });
+    [&key](const Window& a, const Window& b) { return key(a) < key(b); });
   this->builder_.reset(length);
   for (const Window& piece : this->pieces_)
   {
@@ -364,8 +368,10 @@ bool SegmentEnvelope::findSublevels(double length, double value)
         before > w.begin || w.begin == 0.0, behind < w.end || w.end == length });
     }
   }
+  const auto key = [](const Sublevel& s)
+  { return std::tie(s.begin, s.beginsAtValue, s.end, s.endsAtValue); };
   std::sort(this->inPieces_.begin(), this->inPieces_.end(),
-    [](const Sublevel& a, const Sublevel& b) { return a.begin < b.begin; });
+    [&key](const Sublevel& a, const Sublevel& b) { return key(a) < key(b); });
   this->sublevels_.clear();
   for (const Sublevel& below : this->inPieces_)
   {

@@ -105,7 +105,7 @@ std::vector<FaceCandidate> chosen(const std::vector<FaceCandidate>& closest)
     return {}; // a surface without faces
   }
   const auto isCloser = [](const FaceCandidate& a, const FaceCandidate& b)
-  { return a.distance < b.distance; };
+  { return a.distance != b.distance ? a.distance < b.distance : a.face < b.face; };
   const double least = std::min_element(closest.begin(), closest.end(), isCloser)->distance;
   const std::vector<const FaceCandidate*> equal = closestOf(closest, least);
   const FaceCandidate& best = **std::min_element(equal.begin(), equal.end(),

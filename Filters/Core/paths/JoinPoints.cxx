@@ -41,7 +41,11 @@ struct QueuedVertex
   double estimate;
   double length;
   Id vertex;
-  bool operator<(const QueuedVertex& other) const { return this->estimate > other.estimate; }
+  bool operator<(const QueuedVertex& other) const
+  {
+    return this->estimate != other.estimate ? this->estimate > other.estimate
+                                            : this->vertex > other.vertex;
+  }
 };
 
 /// The length of a shortest path along mesh edges, by best-first search (A*: the remaining distance

@@ -130,8 +130,7 @@ public:
   RowOfPoints(const TriangleMesh& mesh, const std::vector<PossiblePlaces>& places,
     const std::vector<std::size_t>& row, MeshComponents& components,
     const LengthBetween& lengthBetween)
-    : mesh_(mesh)
-    , row_(row)
+    : row_(row)
     , components_(components)
     , lengthBetween_(lengthBetween)
   {
@@ -300,7 +299,6 @@ private:
     return { breaks, *best, places };
   }
 
-  const TriangleMesh& mesh_;
   const std::vector<std::size_t>& row_;
   MeshComponents& components_;
   const LengthBetween& lengthBetween_;
