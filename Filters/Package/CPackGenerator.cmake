@@ -140,7 +140,8 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME "geodesic-distance-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 # ParaView's CMake package asks for Open MPI, which paraview-dev does not bring.
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "geodesic-distance ${same_version}, paraview-dev, libopenmpi-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+  "geodesic-distance ${same_version}, paraview-dev, libopenmpi-dev${CPACK_GEODESIC_VTK_HEADERS}")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "geodesic distance on triangle meshes, C++ headers
 ${what_it_is}
 .

@@ -41,6 +41,11 @@ if (TARGET gallery-states)
   list(APPEND CPACK_GEODESIC_PAGES_TARGETS gallery-states)
 endif ()
 set(CPACK_GEODESIC_HAS_PARAVIEW "${ParaView_FOUND}")
+# Debian's ParaView 6 uses Debian's VTK, whose headers its own headers' package does not bring.
+set(CPACK_GEODESIC_VTK_HEADERS)
+if (ParaView_FOUND AND NOT geodesic_vtk_path)
+  set(CPACK_GEODESIC_VTK_HEADERS ", libvtk9-dev")
+endif ()
 set(CPACK_GEODESIC_PLUGINS_FILE)
 if (GEODESIC_BUILD_PLUGIN)
   set(CPACK_GEODESIC_PLUGINS_FILE
