@@ -57,12 +57,11 @@ look.legend(shown, "Distance (mm)", [0, 300], at=(0.53, 0.04))
 look.note("to", (0.525, 0.91))
 look.note("from", (0.46, 0.84))
 # A color a ring, on the head and along both sides of the matrix.
-colors = [color for color, count in zip(look.RINGS, COUNTS) for i in range(count)]
-for place, color in zip(places, colors):
-    look.ball(place, 4, color)
-ends = numpy.cumsum((0, *COUNTS))*190/37
+ends = numpy.cumsum((0, *COUNTS))
 for first, last, color in zip(ends, ends[1:], look.RINGS):
+    look.balls(places[first:last], 4, color)
     for side, along in (-7*down, right), (-7*right, down):
-        bar = Show(Line(Point1=corner + side + (first + 1)*along, Point2=corner + side + (last - 1)*along), view)
+        begin, end = (corner + side + way*along for way in (first*190/37 + 1, last*190/37 - 1))
+        bar = Show(Line(Point1=begin, Point2=end), view)
         look.thin_lines(bar, color, 8)
 look.save(view, globals())

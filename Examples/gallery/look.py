@@ -170,9 +170,13 @@ def move(display, way):
     setattr(display, name, list(way))
 
 
-def ball(center, radius, color=WHITE):
-    """Shows a ball, in the view that is active. A point drawn as a ball may be lost in a bent surface."""
-    display = simple.Show(simple.Sphere(Center=center, Radius=radius, ThetaResolution=32, PhiResolution=32))
+def balls(centers, radius, color=WHITE):
+    """Shows balls, in the view that is active. A point drawn as a ball may be lost in a bent surface."""
+    points = simple.PolyPointSource(Points=np.ravel(centers))
+    placed = simple.Glyph(Input=points, GlyphType="Sphere", GlyphMode="All Points", ScaleFactor=2 * radius)
+    placed.GlyphType.ThetaResolution = placed.GlyphType.PhiResolution = 32
+    placed.ScaleArray = placed.OrientationArray = ["POINTS", ""]
+    display = simple.Show(placed)
     plain(display, color)
     smooth(display)
 

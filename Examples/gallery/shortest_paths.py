@@ -27,5 +27,5 @@ ends = Glyph(Input=targets, GlyphType="Sphere", GlyphMode="All Points", Orientat
 shown = Show(ends, view)
 look.plain(shown, look.DARK)
 look.smooth(shown)
-look.ball(start.Center, 4, color=look.DARK)
+look.balls([start.Center], 4, color=look.DARK)
 look.save(view, globals(), colors=48)

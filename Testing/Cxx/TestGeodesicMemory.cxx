@@ -163,15 +163,6 @@ private:
   rlimit Before{};
 };
 
-std::string StageOf(double progress)
-{
-  return progress < 0.15 ? "mesh"
-    : progress < 0.25    ? "source"
-    : progress < 0.55    ? "solve"
-    : progress < 0.9     ? "refinement"
-                         : "output";
-}
-
 /// From no memory at all to enough.
 void CheckLimits(Check& check, int threads)
 {
