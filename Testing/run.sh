@@ -14,6 +14,8 @@
 #   vtk         all compiled against plain VTK, without ParaView, and the filters' tests
 #   debian-13   README's two commands on a clean Debian 13 (Testing/debian.sh), where this is another system
 #
+# In sanitize and vtk, which compile all but the plugin, warnings are errors.
+#
 # Plain VTK (Debian 12: 9.1, 13: 9.3) is taken from VTK_DIR where that is set, else from the system, else downloaded.
 set -eu
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -47,6 +49,7 @@ skip()
   echo "set_tests_properties($1 PROPERTIES SKIP_RETURN_CODE 77)"
 }
 
+strict=(-DGEODESIC_WARNINGS=ON -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 mkdir -p "$builds"
 vtk=
 [ -z "$all" ] || vtk=$(find_vtk "$builds/vtk-$plain_vtk")
@@ -64,7 +67,8 @@ if [ -n "$all" ]; then
   # the lines that a report names. GCC fuses multiplications and additions with the last option alone.
   sanitized=(-DGEODESIC_CORE_ONLY=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
     "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1 -DNDEBUG")
-  build sanitize "${sanitized[@]}" "-DCMAKE_CXX_FLAGS=$v3 -fexpensive-optimizations" -DGEODESIC_SANITIZE=address,undefined
+  build sanitize "${sanitized[@]}" "${strict[@]}" -DGEODESIC_SANITIZE=address,undefined \
+    "-DCMAKE_CXX_FLAGS=$v3 -fexpensive-optimizations"
   build threads "${sanitized[@]}" -DGEODESIC_SANITIZE=thread
   suites+=" sanitize threads"
 fi
@@ -75,7 +79,7 @@ if [ -n "$v3" ]; then
 fi
 if [ -n "$vtk" ]; then
   # The first build tests the same engine, and measures.
-  build vtk -DVTK_DIR="$vtk" -DGEODESIC_TEST_CORE=OFF "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
+  build vtk "${strict[@]}" -DVTK_DIR="$vtk" -DGEODESIC_TEST_CORE=OFF "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
   suites+=" vtk"
 fi
 

@@ -82,28 +82,51 @@ private:
   std::thread thread_;
 };
 
+/// The helpers that have nothing to do, of all threads: on Windows a thread that ends may wait for
+/// no other.
+class IdleHelpers
+{
+public:
+  std::unique_ptr<Helper> take()
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex_);
+    if (this->idle_.empty())
+    {
+      return std::make_unique<Helper>();
+    }
+    std::unique_ptr<Helper> helper = std::move(this->idle_.back());
+    this->idle_.pop_back();
+    return helper;
+  }
+
+  void giveBack(std::unique_ptr<Helper> helper)
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex_);
+    this->idle_.push_back(std::move(helper));
+  }
+
+private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Helper>> idle_;
+};
+
 }
 
+// The work may itself call this function: it finds only those that are idle.
 void together(std::size_t count, const Work& work)
 {
-  thread_local std::vector<std::unique_ptr<Helper>> idle;
-  // The work may itself call this function: it finds only those that are idle.
+  static IdleHelpers idle;
   std::vector<std::unique_ptr<Helper>> helpers;
   for (std::size_t i = 1; i < count; ++i)
   {
-    if (idle.empty())
-    {
-      idle.push_back(std::make_unique<Helper>());
-    }
-    helpers.push_back(std::move(idle.back()));
-    idle.pop_back();
+    helpers.push_back(idle.take());
     helpers.back()->start(work, i);
   }
   work(0);
   for (std::unique_ptr<Helper>& helper : helpers)
   {
     helper->waitUntilDone();
-    idle.push_back(std::move(helper));
+    idle.giveBack(std::move(helper));
   }
 }
 

@@ -12,7 +12,7 @@ namespace geodesictest
 {
 
 /// Runs work(0), ..., work(count - 1) at the same time: the first in the calling thread, the others
-/// in threads that this one keeps. None may throw.
+/// in threads that stay for the next call. None may throw.
 void together(std::size_t count, const std::function<void(std::size_t)>& work);
 
 /// Runs the tasks on several threads, each of which takes the next remaining task. None may throw.
