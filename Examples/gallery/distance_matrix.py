@@ -55,7 +55,7 @@ shown = Show(picture, view)
 look.steps(shown, ("CELLS", "Distance"), 0, 300, look.shades(30))
 look.legend(shown, "Distance (mm)", [0, 300], at=(0.53, 0.04))
 look.note("to", (0.525, 0.91))
-look.note("from", (0.46, 0.84))
+look.note("from", (0.445, 0.84))
 # A color a ring, on the head and along both sides of the matrix.
 ends = numpy.cumsum((0, *COUNTS))
 for first, last, color in zip(ends, ends[1:], look.RINGS):
