@@ -293,11 +293,13 @@ void SegmentEnvelope::cutNear(Vec2 p, Vec2 u, double length, bool withBent)
 bool SegmentEnvelope::build(Vec2 p, Vec2 u, double length, bool withBent)
 {
   this->cutNear(p, u, length, withBent);
-  // All of a piece is asked for: of pieces in one interval, the order decides about rounding.
-  const auto key = [](const Window& w)
-  { return std::tie(w.begin, w.end, w.sourceX, w.sourceDepth, w.sigma); };
+  // Of pieces that begin in one place, the order decides about rounding: it is not left to the
+  // library.
+  const auto rest = [](const Window& w)
+  { return std::tie(w.end, w.sourceX, w.sourceDepth, w.sigma); };
   std::sort(this->pieces_.begin(), this->pieces_.end(),
-    [&key](const Window& a, const Window& b) { return key(a) < key(b); });
+    [&rest](const Window& a, const Window& b)
+    { return a.begin != b.begin ? a.begin < b.begin : rest(a) < rest(b); });
   this->builder_.reset(length);
   for (const Window& piece : this->pieces_)
   {
