@@ -64,7 +64,7 @@ if [ -n "$all" ] && echo | "${CXX:-c++}" -march=x86-64-v3 -x c++ -fsyntax-only -
 fi
 if [ -n "$all" ]; then
   # Half of a sanitizer's time is the compiler's: little optimization, and of debug information only
-  # the lines that a report names. GCC fuses multiplications and additions with the last option alone.
+  # the lines that a report names. So little that GCC fuses nothing without -fexpensive-optimizations.
   sanitized=(-DGEODESIC_CORE_ONLY=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
     "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1 -DNDEBUG")
   build sanitize "${sanitized[@]}" "${strict[@]}" -DGEODESIC_SANITIZE=address,undefined \
