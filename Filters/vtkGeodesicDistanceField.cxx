@@ -199,7 +199,7 @@ public:
       return false; // a surface without extent has nothing to refine
     }
     const vtkIdType most = this->Self->MaximumNumberOfCells;
-    const auto count = static_cast<vtkIdType>(this->Inputs.surface->countTrianglesOfAllRanks());
+    const auto count = static_cast<vtkIdType>(this->Inputs.surface->countPartsOfAllRanks());
     if (most > 0 && count > most)
     {
       this->Execution.notes().add(NoteOn::Surface, "over " + std::to_string(most),

@@ -30,7 +30,7 @@ std::vector<Triangle> cornerPointsOf(const PolyDataSurface& surface)
   std::vector<Triangle> points(surface.mesh().numberOfFaces(), { NoId, NoId, NoId });
   for (Id face = partition.firstOwnFace(); face < partition.endOfOwnFaces(); ++face)
   {
-    points[face] = surface.triangle(surface.triangleOf(face));
+    points[face] = surface.cornersOf(surface.partOf(face));
   }
   return points;
 }
@@ -133,10 +133,11 @@ struct FieldSolver
     {
       const std::uint64_t faces = this->surface.partition.numberOfGlobalFaces();
       options.maximumFaces =
-        this->request.maximumCells - (this->surface.countTrianglesOfAllRanks() - faces);
+        this->request.maximumCells - (this->surface.countPartsOfAllRanks() - faces);
     }
     options.cornerPoints = cornerPointsOf(this->surface);
-    options.numberOfPoints = this->surface.numberOfPoints;
+    options.numberOfPoints =
+      this->surface.numberOfPoints + static_cast<Id>(this->surface.cutPoints.size());
     options.trianglesBeside = barriersAtEdges(this->surface);
     options.job = this->execution.begin(Stage::Refine);
     return options;
@@ -162,8 +163,9 @@ struct FieldSolver
     {
       options.regionOf = [&regions](const SurfacePoint& point) { return regions->at(point); };
     }
-    solved.refined = addUnmeshedTriangles(this->surface, this->request.maximumCells,
-      options.cornerPoints, geodesic::refine(*solved.field, options));
+    solved.refined =
+      addUnmeshedTriangles(this->surface, this->request.maximumCells, options.cornerPoints,
+        solved.field->vertexDistances(), geodesic::refine(*solved.field, options));
   }
 };
 

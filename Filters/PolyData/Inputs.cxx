@@ -121,7 +121,7 @@ struct InputReader
     }
     this->cache.update(
       blocks, this->request.merging, isInPieces ? this->exchange : OneRank::instance(), job);
-    noteSurface(this->cache.surface(), this->notes);
+    noteSurface(this->cache.surface(), blocks, this->notes);
   }
 
   SourcesOnPatch readSources(const std::vector<PolyDataBlock>& surfaceBlocks,

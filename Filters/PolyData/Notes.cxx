@@ -124,7 +124,8 @@ std::string GivenNotes::take(const Notes& notes, vtkAlgorithm* filter)
   return text;
 }
 
-void noteSurface(const PolyDataSurface& surface, Notes& notes)
+void noteSurface(
+  const PolyDataSurface& surface, const std::vector<PolyDataBlock>& blocks, Notes& notes)
 {
   const SurfaceReport& read = surface.report;
   notes.add(
@@ -133,6 +134,23 @@ void noteSurface(const PolyDataSurface& surface, Notes& notes)
     "among the surface's cells dropped.");
   notes.add(NoteOn::Surface, read.facesWithRepeatedPoint, "face", "faces",
     "with two corners at one point left out.");
+  if (read.crossingOutlines > 0)
+  {
+    std::string text = std::to_string(read.crossingOutlines) +
+      (read.crossingOutlines == 1 ? " polygon" : " polygons") +
+      " of the surface with an outline that crosses itself";
+    if (read.cellOfFirstCrossing >= 0)
+    {
+      text += ", first " +
+        blocks[read.blockOfFirstCrossing]
+          .name.part("cell", read.cellOfFirstCrossing)
+          .withoutInput();
+    }
+    notes.add(NoteOn::Surface, "crossing outlines",
+      text +
+        ": cut into triangles that overlap, so that distances there are too short or too long. "
+        "Repair the polygons upstream.");
+  }
   if (read.crackEdges > 0)
   {
     std::ostringstream text;

@@ -86,7 +86,10 @@ private:
 };
 
 /// What was noticed when the surface was read.
-void noteSurface(const PolyDataSurface& surface, Notes& notes);
+///
+/// \param blocks from which it was read.
+void noteSurface(
+  const PolyDataSurface& surface, const std::vector<PolyDataBlock>& blocks, Notes& notes);
 
 /// What was noticed when the source was put onto the surface.
 ///

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EngineSupport.h"
 
+#include "mesh/FaceShape.h"
+#include "mesh/FacesWithoutArea.h"
 #include "source/PolylineLocator.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 
 namespace geodesictest
@@ -32,14 +35,50 @@ geodesic::TriangleMesh engineMesh(const PlainMesh& mesh)
   return geodesic::TriangleMesh(mesh.points, mesh.triangles);
 }
 
-geodesic::Id facesWithoutArea(const geodesic::TriangleMesh& mesh)
+std::size_t facesWithoutArea(const PlainMesh& mesh)
 {
-  geodesic::Id count = 0;
-  for (geodesic::Id face = 0; face < mesh.numberOfFaces(); ++face)
+  return static_cast<std::size_t>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+    [&mesh](const Triangle& t)
+    {
+      const std::array<Vec3, 3> corners = { mesh.points[t[0]], mesh.points[t[1]],
+        mesh.points[t[2]] };
+      return geodesic::hasThreeVertices(t) &&
+        geodesic::isWithoutArea(geodesic::shapeOf(corners), corners);
+    }));
+}
+
+CleanedMesh withoutFlatFaces(const PlainMesh& mesh)
+{
+  CleanedMesh cleaned{ mesh, {}, {} };
+  std::vector<std::uint64_t> keys;
+  const geodesic::CutTriangles cut = geodesic::removeFacesWithoutArea(cleaned.mesh.points, keys,
+    mesh.points.size(), mesh.triangles, {}, geodesic::OneRank::instance());
+  cleaned.vertexOf = cut.same;
+  cleaned.triangles = cut.triangles;
+  if (cut.isEmpty())
   {
-    count += mesh.shape(face).hasZeroArea() ? 1 : 0;
+    cleaned.vertexOf.resize(mesh.points.size());
+    std::iota(cleaned.vertexOf.begin(), cleaned.vertexOf.end(), 0);
+    cleaned.triangles.resize(mesh.triangles.size());
+    std::iota(cleaned.triangles.begin(), cleaned.triangles.end(), 0);
+    return cleaned;
   }
-  return count;
+  cleaned.triangles.clear();
+  cleaned.mesh.triangles.clear();
+  for (std::size_t i = 0; i < cut.parts.size(); ++i)
+  {
+    if (cut.areFaces[i])
+    {
+      cleaned.mesh.triangles.push_back(cut.parts[i]);
+      cleaned.triangles.push_back(cut.triangles[i]);
+    }
+  }
+  return cleaned;
+}
+
+geodesic::TriangleMesh cleanedEngineMesh(const PlainMesh& mesh)
+{
+  return engineMesh(withoutFlatFaces(mesh).mesh);
 }
 
 geodesic::SurfacePoint enginePoint(const geodesic::TriangleMesh& mesh, const MeshPoint& point)

@@ -27,9 +27,9 @@ namespace geodesictest
 constexpr double EngineAccuracy = 1e-9;
 
 /// The accuracy if no face is much longer than high. Two paths to a vertex whose lengths differ by
-/// less than a tie (1e-12 of the distance) are one to the engine, and the windows that the vertex
-/// has already emitted stay. The worst of 130,000 fields around vertices, points and segments was
-/// off by 4e-13; most are off by a few roundings.
+/// 64 roundings of the distance are one to the engine, and the windows that the vertex has already
+/// emitted stay; behind it they may miss a gap of an angle of 1e-7. The worst of 130,000 fields
+/// around vertices, points and segments was off by 4e-13; most are off by a few roundings.
 constexpr double OrdinaryAccuracy = 2e-12;
 
 /// The accuracy on a kind of mesh. On needles a rounding of the long edges is larger relative to
@@ -38,8 +38,22 @@ constexpr double OrdinaryAccuracy = 2e-12;
 double accuracyOn(const MeshKind& kind);
 
 geodesic::TriangleMesh engineMesh(const PlainMesh& mesh);
-/// The number of faces without area (FaceShape::hasZeroArea).
-geodesic::Id facesWithoutArea(const geodesic::TriangleMesh& mesh);
+/// The number of faces without area (geodesic::isWithoutArea).
+std::size_t facesWithoutArea(const PlainMesh& mesh);
+
+/// A surface without its faces without area, as the engine gets it.
+struct CleanedMesh
+{
+  /// On the surface's points; added ones follow.
+  PlainMesh mesh;
+  /// The triangle that each one was cut from.
+  std::vector<Index> triangles;
+  /// The vertex that each point has become.
+  std::vector<Index> vertexOf;
+};
+CleanedMesh withoutFlatFaces(const PlainMesh& mesh);
+/// The same on the meshes' own points, which no needle joins.
+geodesic::TriangleMesh cleanedEngineMesh(const PlainMesh& mesh);
 
 /// Sets the faces of polylines.
 void locate(const geodesic::TriangleMesh& mesh, std::vector<geodesic::LocatedPolyline>& polylines,

@@ -7,7 +7,6 @@
 
 #include "contours/Isolines.h"
 #include "contours/SolveForIsolines.h"
-#include "field/Gradients.h"
 #include "field/NearestSource.h"
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SolveForRefinement.h"

@@ -678,6 +678,39 @@ void TestFailures(Check& check, Ranks ranks, vtkPolyData* surface)
   check.That(Contains(messages.Error(), "no faces"), "no surface anywhere: " + messages.Error());
 }
 
+/// Points that no face uses may be NaN or infinite on any rank, and as many as it likes.
+void TestPointsThatAreNotFinite(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  const Question question = Questions().front();
+  const auto piece = Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank));
+  const auto solved = [&](vtkPolyData* input)
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(input);
+    Ask(filter, question);
+    Messages messages(filter);
+    messages.Update();
+    check.That(messages.Error().empty(), "unused points are no error: " + messages.Error());
+    vtkSmartPointer<vtkDataArray> distances = Distances(filter);
+    return distances;
+  };
+  const auto expected = solved(piece);
+  vtkNew<vtkPolyData> more;
+  more->DeepCopy(piece);
+  const vtkIdType count = piece->GetNumberOfPoints();
+  for (int i = 0; i < 3 * ranks.Rank + 1; ++i)
+  {
+    more->GetPoints()->InsertNextPoint(i % 2 == 0 ? std::nan("") : HUGE_VAL, 0.0, 0.0);
+  }
+  const auto distances = solved(more);
+  bool areSame = distances && distances->GetNumberOfTuples() == more->GetNumberOfPoints();
+  for (vtkIdType i = 0; areSame && i < more->GetNumberOfPoints(); ++i)
+  {
+    areSame = distances->GetTuple1(i) == (i < count ? expected->GetTuple1(i) : HUGE_VAL);
+  }
+  check.That(areSame, "beside unused points that are not finite the distance is the same");
+}
+
 /// Executing again, with what has changed on one rank only.
 void TestAgain(Check& check, Ranks ranks, vtkPolyData* surface)
 {
@@ -806,6 +839,7 @@ int TestGeodesicRanks(int argc, char* argv[])
       TestFacesOfPaths(check, ranks, surface);
       TestUnreadableCells(check, ranks, surface);
       TestFailures(check, ranks, surface);
+      TestPointsThatAreNotFinite(check, ranks, surface);
       TestAgain(check, ranks, surface);
       TestPieces(check, ranks, surface);
       TestMatrix(check, ranks, surface);

@@ -5,6 +5,7 @@
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMath.h"
 
 using namespace GeodesicTesting;
 
@@ -136,6 +137,71 @@ void CheckConcavePolygon(Check& check)
   check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfPolys()), 6.0, "its triangles");
   const double around = Distances(filter) ? Distances(filter)->GetTuple1(3) : 0.0;
   check.That(std::abs(around - 5.0) < 1e-14, "the way around the notch of a U");
+}
+
+/// One polygon at sizes far apart.
+vtkSmartPointer<vtkPolyData> OnePolygon(
+  const std::vector<Point>& points, const std::vector<vtkIdType>& outline, double scale)
+{
+  std::vector<Point> scaled;
+  for (const Point& p : points)
+  {
+    scaled.push_back({ scale * p[0], scale * p[1], scale * p[2] });
+  }
+  auto data = PointSources(scaled);
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell(static_cast<vtkIdType>(outline.size()), outline.data());
+  data->SetPolys(polys);
+  return data;
+}
+
+/// The distance from the first point to another, along a path over some points of a polygon.
+void CheckPathInPolygon(Check& check, const std::vector<Point>& points,
+  const std::vector<vtkIdType>& outline, const std::vector<std::size_t>& path, double scale,
+  const std::string& what)
+{
+  double length = 0.0;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+  {
+    length += std::sqrt(
+      vtkMath::Distance2BetweenPoints(points[path[i]].data(), points[path[i + 1]].data()));
+  }
+  const auto surface = OnePolygon(points, outline, scale);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  Messages messages(filter);
+  const Point& first = points[path.front()];
+  Run(messages, filter, surface,
+    PointSources({ { scale * first[0], scale * first[1], scale * first[2] } }));
+  check.That(messages.Error().empty() && !Contains(messages.Warning(), "polygon"),
+    what + ": no message: " + messages.Error() + messages.Warning());
+  const double distance = Distances(filter)->GetTuple1(static_cast<vtkIdType>(path.back())) / scale;
+  check.That(std::abs(distance - length) < 1e-13 * length,
+    what + ": " + std::to_string(distance) + " for " + std::to_string(length));
+  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfPolys()),
+    static_cast<double>(outline.size() - 2), what + ": triangles");
+}
+
+void CheckOutlines(Check& check)
+{
+  const std::vector<Point> square = { { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 },
+    { 1, 1, 0 }, { 3, 1, 0 }, { 3, 3, 0 }, { 1, 3, 0 } };
+  const std::vector<Point> concave = { { .59, .12, 0 }, { .18, .08, 0 }, { .64, .27, 0 },
+    { -.14, .58, 0 }, { -.34, -.61, 0 } };
+  for (const double scale : { 1.0, 1e-6, 1e-7, 1e-30, 1e30 })
+  {
+    const std::string size = " of size " + std::to_string(scale);
+    CheckPathInPolygon(check, square, { 0, 1, 2, 3, 0, 4, 7, 6, 5, 4 }, { 0, 5, 2 }, scale,
+      "a square with a hole" + size);
+    CheckPathInPolygon(
+      check, concave, { 0, 1, 2, 3, 4 }, { 0, 1, 2 }, scale, "a concave pentagon" + size);
+    std::vector<Point> thin = concave;
+    for (Point& p : thin)
+    {
+      p = { p[0], 1e-5 * p[1], p[0] };
+    }
+    CheckPathInPolygon(
+      check, thin, { 0, 1, 2, 3, 4 }, { 0, 1, 2 }, scale, "a thin pentagon" + size);
+  }
 }
 
 void CheckDegenerateQuads(Check& check)
@@ -280,6 +346,7 @@ int TestGeodesicSurfaces(int, char*[])
   CheckCellData(check, "strips", Square(4, Cells::Strips));
   CheckCellData(check, "cells of all kinds", QuadsWithLinesAndStrips());
   CheckConcavePolygon(check);
+  CheckOutlines(check);
   CheckDegenerateQuads(check);
   CheckPolygonsWithoutArea(check);
   CheckMerging(check);

@@ -368,6 +368,141 @@ void CheckComposite(Check& check)
   }
 }
 
+/// Hides or bars the cells of the second square, from the half of the cells on.
+void MarkSecondSquare(vtkPolyData* data, const char* name, int mark)
+{
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(name);
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    marks->InsertNextValue(
+      static_cast<unsigned char>(cell < data->GetNumberOfCells() / 2 ? 0 : mark));
+  }
+  data->GetCellData()->AddArray(marks);
+}
+
+/// Depth images and scans have points that are NaN; many of them, here.
+vtkSmartPointer<vtkPolyData> WithUnusedPoints(double value, bool toSingle)
+{
+  auto data = TwoSquaresAndUnusedPoints();
+  constexpr vtkIdType many = 20000;
+  for (vtkIdType i = 0; i < many; ++i)
+  {
+    const double x = value + static_cast<double>(i + 1); // no two finite ones at one place
+    data->GetPoints()->InsertNextPoint(x, i % 2 == 0 ? value : 0.25, i % 4 == 0 ? value : 0.0);
+  }
+  data->GetPoints()->SetPoint(0, value, value, value);
+  data->GetPoints()->SetPoint(26, 0.0, value, 0.0);
+  if (toSingle)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToFloat();
+    points->DeepCopy(data->GetPoints());
+    data->SetPoints(points);
+  }
+  return data;
+}
+
+/// Points that no face uses are not reached, wherever they are, and the others have the values that
+/// they have beside finite ones.
+void CheckUnusedPointsAreAnywhere(Check& check)
+{
+  const double inf = vtkMath::Inf();
+  for (const double value : { vtkMath::Nan(), inf, -inf })
+  {
+    for (const int choice : { 0, 1, 2, 3, 4, 5, 6, 7 })
+    {
+      const bool toSingle = (choice & 1) != 0;
+      const bool refine = (choice & 2) != 0;
+      const bool merge = (choice & 4) != 0;
+      const auto input = WithUnusedPoints(value, toSingle);
+      const auto output = [&](vtkPolyData* surface)
+      {
+        vtkNew<vtkGeodesicDistanceField> filter;
+        ChooseAll(filter);
+        filter->SetInputData(surface);
+        filter->SetRefineMesh(refine);
+        filter->SetMergeCoincidentPoints(merge);
+        Messages messages(filter);
+        messages.Update();
+        check.That(messages.Error().empty() && messages.Warning().empty(),
+          "unused points are not worth a word: " + messages.Error() + messages.Warning());
+        vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
+        return result;
+      };
+      std::ostringstream what;
+      what << "unused points at " << value << ", choice " << choice;
+      const auto is = output(input);
+      const auto was = output(WithUnusedPoints(9.0, toSingle));
+      check.Equal(static_cast<double>(is->GetNumberOfPoints()),
+        static_cast<double>(was->GetNumberOfPoints()), what.str() + ": points");
+      vtkDataArray* distances = was->GetPointData()->GetArray("GeodesicDistance");
+      for (int a = 0; a < was->GetPointData()->GetNumberOfArrays(); ++a)
+      {
+        vtkDataArray* before = was->GetPointData()->GetArray(a);
+        const std::string name = before->GetName();
+        vtkDataArray* after = is->GetPointData()->GetArray(name.c_str());
+        bool areSame = true;
+        for (vtkIdType i = 0; i < before->GetNumberOfValues(); ++i)
+        {
+          const int k = static_cast<int>(i % before->GetNumberOfComponents());
+          const vtkIdType point = i / before->GetNumberOfComponents();
+          double expected = before->GetComponent(point, k);
+          if (name == "ClosestSourcePoint" && distances->GetTuple1(point) == Infinite)
+          {
+            expected = is->GetPoint(point)[k]; // nothing is closest
+          }
+          areSame = areSame && IsSame(expected, after->GetComponent(point, k));
+        }
+        check.That(areSame, what.str() + ": " + name);
+      }
+      bool areThere = true;
+      for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+      {
+        Point p;
+        Point q;
+        input->GetPoint(i, p.data());
+        is->GetPoint(i, q.data());
+        areThere = areThere && IsSame(p[0], q[0]) && IsSame(p[1], q[1]) && IsSame(p[2], q[2]);
+      }
+      check.That(areThere, what.str() + ": the points are where they were");
+      check.Equal(
+        static_cast<double>(is->GetPointData()->GetArray("GeodesicDistance")->GetTuple1(26)),
+        Infinite, what.str() + ": not reached");
+    }
+  }
+}
+
+/// The second square has a NaN at its last corner: an error if paths can reach it, or a barrier
+/// has it, but not if its cells are hidden.
+void CheckPointsOfHiddenCells(Check& check)
+{
+  for (const int kind : { 0, 1, 2 })
+  {
+    const auto input = WithUnusedPoints(9.0, false);
+    input->GetPoints()->SetPoint(51, 1.0, vtkMath::Nan(), 0.0);
+    vtkNew<vtkGeodesicDistanceField> filter;
+    ChooseAll(filter);
+    filter->SetInputData(input);
+    if (kind == 1)
+    {
+      MarkSecondSquare(input, "Barrier", 1);
+      filter->SetBarrierArrayName("Barrier");
+    }
+    if (kind == 2)
+    {
+      MarkSecondSquare(
+        input, vtkDataSetAttributes::GhostArrayName(), vtkDataSetAttributes::HIDDENCELL);
+    }
+    Messages messages(filter);
+    messages.Update();
+    const bool isError =
+      Contains(messages.Error(), "surface") && Contains(messages.Error(), "at point 51. Remove");
+    check.That(kind == 2 ? messages.Error().empty() : isError,
+      "a NaN at an open, a barred and a hidden face: " + messages.Error());
+  }
+}
+
 /// Barriers are faces, too; what ghost flags hide is not.
 void CheckBarriersAndHiddenCells(Check& check)
 {
@@ -415,5 +550,7 @@ int TestGeodesicUnreached(int, char*[])
   CheckNothingToRemove(check);
   CheckComposite(check);
   CheckBarriersAndHiddenCells(check);
+  CheckUnusedPointsAreAnywhere(check);
+  CheckPointsOfHiddenCells(check);
   return check.Result();
 }

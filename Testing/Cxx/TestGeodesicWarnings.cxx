@@ -59,6 +59,24 @@ vtkSmartPointer<vtkPolyData> WithPolygon(vtkSmartPointer<vtkPolyData> data)
   return data;
 }
 
+/// Two polygons beside the square that cross themselves: a bow tie of a large and a small
+/// triangle, and a pentagram.
+vtkSmartPointer<vtkPolyData> WithCrossingPolygons(vtkSmartPointer<vtkPolyData> data)
+{
+  const auto add = [&](const std::vector<Point>& outline)
+  {
+    std::vector<vtkIdType> ids;
+    for (const Point& p : outline)
+    {
+      ids.push_back(data->GetPoints()->InsertNextPoint(p.data()));
+    }
+    data->GetPolys()->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  };
+  add({ { 5, 0, 0 }, { 6, 1, 0 }, { 6, 0, 0 }, { 5, 2, 0 } });
+  add({ { 9, 0, 0 }, { 10, 3, 0 }, { 11, 0, 0 }, { 8, 2, 0 }, { 12, 2, 0 } });
+  return data;
+}
+
 std::vector<Case> Cases()
 {
   const Point origin = { 0, 0, 0 };
@@ -70,6 +88,9 @@ std::vector<Case> Cases()
       { "3 vertex cells among the surface's cells dropped" } },
     { "faces a,a,b", WithFaces(Square(2), { { 0, 0, 1 }, { 3, 4, 3 } }), corner,
       { "2 faces with two corners at one point left out" } },
+    { "polygons that cross themselves", WithCrossingPolygons(Square(2)), corner,
+      { "2 polygons of the surface with an outline that crosses itself, first cell 8: cut",
+        "Repair" } },
     { "a point far from the surface", Square(2), PointSources({ { 0, 0, 0.75 } }),
       { "up to 0.75 away from the surface (53 % of its size), at 1 of 1 points: point 0." } },
     { "a curve far from the surface", Square(2),

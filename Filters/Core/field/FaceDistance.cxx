@@ -24,12 +24,20 @@ bool isGrazing(const Window& w)
   return before > 0.0 && w.sourceDepth <= tolerance::GrazingAngle * before;
 }
 
-/// Whether a window's source lies on its halfedge between the window's ends. Its rays reach the
-/// whole face, and rounding would put points of the halfedge beyond the ray to the other end.
-bool reachesAll(const Window& w)
+/// Whether a circular window reaches the whole face, up to a length of rounding. A path that bends
+/// at an end of the window, by the angle between the ray there and the halfedge at most, is then
+/// not longer than a straight one: the ray runs along the halfedge, or the source is at this end,
+/// where rounding alone gives the ray its direction.
+bool reachesAll(const Window& w, double rounding)
 {
-  const double beside = std::min(w.sourceX - w.begin, w.end - w.sourceX);
-  return !w.isLinear() && beside > 0.0 && w.sourceDepth <= tolerance::GrazingAngle * beside;
+  const auto isOpen = [&w, rounding](double beside)
+  {
+    const double toEnd = norm(Vec2{ beside, w.sourceDepth });
+    const double detour =
+      beside > 0.0 ? w.sourceDepth * w.sourceDepth / (toEnd + beside) : toEnd - beside;
+    return detour <= rounding;
+  };
+  return !w.isLinear() && isOpen(w.sourceX - w.begin) && isOpen(w.end - w.sourceX);
 }
 
 Vec2 nearestOnSegment(Vec2 a, Vec2 b, Vec2 p)
@@ -112,6 +120,7 @@ void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge)
   const Vec2 end = this->inPlane(cornerWeights((k + 1) % 3));
   const Vec2 along = (1.0 / length) * (end - origin);
   const Vec2 into = { -along.y, along.x };
+  const double rounding = tolerance::PlaceRounding * this->mesh_->shape(this->face_).longest();
   for (const Window& w : windows)
   {
     DistanceCandidate c;
@@ -133,7 +142,8 @@ void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge)
     }
     else
     {
-      c.kind = reachesAll(w) ? DistanceCandidate::Kind::Cone : DistanceCandidate::Kind::Circular;
+      c.kind =
+        reachesAll(w, rounding) ? DistanceCandidate::Kind::Cone : DistanceCandidate::Kind::Circular;
       c.source = origin + w.sourceX * along - w.sourceDepth * into;
       c.sigma = w.sigma;
     }

@@ -14,40 +14,6 @@ namespace geodesic
 namespace
 {
 
-/// How far apart rounding of a face's corners may put places in the face.
-double roundingOf(const TriangleMesh& mesh, Id face)
-{
-  double largest = 0.0;
-  for (const Id vertex : mesh.triangle(face))
-  {
-    largest = std::max(largest, largestCoordinate(mesh.point(vertex)));
-  }
-  return tolerance::SnapRoundings * tolerance::Rounding * largest;
-}
-
-/// The ray where it enters a face without area that it leaves. The whole face lies on one line, so
-/// that the ray enters and leaves at one place. An edge as short as the rounding of its ends has no
-/// direction.
-IncomingRay acrossFaceWithoutArea(const TriangleMesh& mesh, const IncomingRay& ray)
-{
-  const Id left = TriangleMesh::previousInFace(ray.halfedge);
-  const Id right = TriangleMesh::nextInFace(ray.halfedge);
-  const double rounding = roundingOf(mesh, TriangleMesh::faceOf(ray.halfedge));
-  const double apex = apexOf(mesh, ray.halfedge).x;
-  const bool isLeft =
-    mesh.length(left) > rounding && (ray.x < apex || mesh.length(right) <= rounding);
-  const Id in = isLeft ? left : right;
-  return { in, false, isLeft ? apex - ray.x : mesh.length(ray.halfedge) - ray.x,
-    turned(mesh, ray.direction, ray.halfedge, in) };
-}
-
-/// Whether a face has an area that is more than rounding of its corners, so that it has a plane.
-bool hasPlane(const TriangleMesh& mesh, Id face)
-{
-  const FaceShape& shape = mesh.shape(face);
-  return !shape.hasZeroArea() && shape.area2 > roundingOf(mesh, face) * shape.longest();
-}
-
 /// The same ray in the next face at the edge of the halfedge. The frame of a halfedge in the
 /// opposite direction is rotated by pi, that of one in the same direction is mirrored.
 IncomingRay acrossEdge(const TriangleMesh& mesh, const IncomingRay& ray)
@@ -77,11 +43,10 @@ struct WayFrom
 };
 
 /// \param longest edge of the face.
-/// \param leastBend no path bends nearer to p than this.
-WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest, double leastBend)
+WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest)
 {
   const Vec2 d = p - Vec2{ x, 0.0 };
-  const bool isBent = norm(d) > leastBend && bends(ray, d, longest);
+  const bool isBent = bends(ray, d, longest);
   return { isBent, isBent || norm(ray) < tolerance::NearEdge * norm(d) ? d : ray };
 }
 
@@ -137,8 +102,8 @@ public:
       this->setCorner(*corner);
       return;
     }
-    const WayFrom way = wayFrom(arrival.x, apexOf(this->mesh_, arrival.halfedge), arrival.direction,
-      this->faceSize_, this->leastBend_);
+    const WayFrom way =
+      wayFrom(arrival.x, apexOf(this->mesh_, arrival.halfedge), arrival.direction, this->faceSize_);
     this->best_.kind = Kind::Window;
     this->best_.ray = { arrival.halfedge, false, arrival.x, way.direction };
     this->best_.origin = arrival.origin;
@@ -150,15 +115,6 @@ public:
       // The way along the edge is as long, but the window's origin lies on one side of the edge.
       this->best_.kind = Kind::Corner;
       this->setCorner(corner);
-    }
-  }
-
-  /// The direction is known only in the plane of a face that has an area.
-  void leaveFacesWithoutArea()
-  {
-    if (this->best_.kind == Kind::Window)
-    {
-      this->best_.ray = backToDirectionInSpace(this->mesh_, this->best_.ray);
     }
   }
 
@@ -186,8 +142,6 @@ private:
     this->face_ = face;
     this->inFace_ = barycentric(this->mesh_, this->point_, face);
     this->faceSize_ = this->mesh_.shape(face).longest();
-    // Ways across a face without area are as short as rounding. Paths bend at its corners only.
-    this->leastBend_ = hasPlane(this->mesh_, face) ? 0.0 : tolerance::NearEdge * this->faceSize_;
   }
 
   /// A piece from a source or from a corner.
@@ -212,7 +166,7 @@ private:
     const Window& w = *way.window;
     const Vec2 p = inHalfedgeFrame(this->mesh_, way.halfedge, this->inFace_);
     const Vec2 throughWindow = w.directionTo(p, way.x);
-    const WayFrom from = wayFrom(way.x, p, throughWindow, this->faceSize_, this->leastBend_);
+    const WayFrom from = wayFrom(way.x, p, throughWindow, this->faceSize_);
     // At an edge of three and more faces the path may have come through any of the others.
     const bool isUnsure = way.isBehind && !this->mesh_.isInner(way.halfedge);
     const double straight = w.isLinear() ? way.distance : way.distance - w.sigma;
@@ -274,12 +228,10 @@ private:
   Id corner_ = NoId;
   /// The length of the straight end of the best way.
   double straight_ = 0.0;
-  /// The current face, and in it: the point, the longest edge, and how near to the point paths may
-  /// bend.
+  /// The current face, and in it the point and the longest edge.
   Id face_ = NoId;
   Barycentric inFace_ = {};
   double faceSize_ = 0.0;
-  double leastBend_ = 0.0;
 };
 
 void findAtVertex(const DistanceField& field, const SurfacePoint& point, LastPieceSearch& search)
@@ -291,7 +243,6 @@ void findAtVertex(const DistanceField& field, const SurfacePoint& point, LastPie
   if (field.arrivals()[point.id].halfedge != NoId)
   {
     search.fromArrival();
-    search.leaveFacesWithoutArea();
     return;
   }
   // The path comes straight from a source in a face, or from a corner so near that rounding has
@@ -363,32 +314,7 @@ IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint
   {
     throw Error("The path to a point was asked for, but the solve kept no windows there.");
   }
-  search.leaveFacesWithoutArea();
   return search.isAtCorner() ? lastPieceToVertex(field, search.corner()) : search.best();
-}
-
-bool isInSpace(const TriangleMesh& mesh, const IncomingRay& ray)
-{
-  return hasPlane(mesh, TriangleMesh::faceOf(ray.halfedge)) ||
-    std::abs(ray.direction.y) <= tolerance::GrazingAngle * std::abs(ray.direction.x);
-}
-
-IncomingRay backToDirectionInSpace(const TriangleMesh& mesh, IncomingRay ray)
-{
-  std::vector<Id> passed; // no path crosses a face twice
-  while (!isInSpace(mesh, ray))
-  {
-    ray = ray.leaves ? acrossFaceWithoutArea(mesh, ray) : ray;
-    const Id face = TriangleMesh::faceOf(ray.halfedge);
-    if (mesh.isBoundary(ray.halfedge) ||
-      std::find(passed.begin(), passed.end(), face) != passed.end())
-    {
-      return ray;
-    }
-    passed.push_back(face);
-    ray = acrossEdge(mesh, ray);
-  }
-  return ray;
 }
 
 Vec3 gradientOf(const TriangleMesh& mesh, const IncomingSegment& piece)

@@ -28,8 +28,8 @@ struct IncomingSegment
   Kind kind = Kind::None;
   double distance = Infinity;
   /// The direction in which the path comes to the point; zero if the piece has no length. The
-  /// halfedge is one of the last face on the path that has an area. If the piece comes through a
-  /// window, the ray crosses it.
+  /// halfedge is one of the last face on the path. If the piece comes through a window, the ray
+  /// crosses it.
   IncomingRay ray;
   /// The corner (MeshPartition::globalId()) or the window's origin (Window::origin). Of a window
   /// also the start of the ray (Window::startOf()), and the ray in the frame of the window's
@@ -50,15 +50,6 @@ IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint
 /// The end of the arrival's halfedge at which the path crosses it, but for rounding; NoId if it
 /// crosses between the ends.
 Id cornerCrossed(const TriangleMesh& mesh, const Arrival& arrival);
-
-/// Whether the ray's direction is one in space: the halfedge's face has a plane, or the ray runs
-/// along the halfedge.
-bool isInSpace(const TriangleMesh& mesh, const IncomingRay& ray);
-
-/// Follows the ray back from its end to the first face in which its direction is one in space. If
-/// the way back ends at the boundary, or goes in a circle of faces without area, the result is the
-/// ray as it enters the last of these faces.
-IncomingRay backToDirectionInSpace(const TriangleMesh& mesh, IncomingRay ray);
 
 /// The gradient of the distance at a point whose shortest path ends with this piece: a unit vector
 /// in the plane of the face that the path comes through; zero on the source and if there is no

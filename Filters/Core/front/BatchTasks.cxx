@@ -141,7 +141,7 @@ void emitWindows(const FrontContext& front, FrontWorker& worker, District& distr
 void settle(const FrontContext& front, FrontWorker& worker, District& district, Id vertex)
 {
   VertexState& state = front.vertices[vertex];
-  if (state.isShorter() && !isOutsideCorridor(front, vertex))
+  if (front.vertices.isShorter(state) && !isOutsideCorridor(front, vertex))
   {
     relaxEdges(front, district, vertex);
     if (state.pseudoSource != TriangleMesh::PseudoSource::None)
@@ -269,7 +269,7 @@ void finishReached(const FrontContext& front, District& district, Id vertex)
     return;
   }
   state.countProcessing();
-  if (state.isShorter()) // within an error
+  if (front.vertices.isShorter(state)) // within an error
   {
     state.hasPassed = true;
     district.schedule.addPassed(vertex);
@@ -473,7 +473,7 @@ void receiveLists(const FrontContext& front, FrontWorker& worker, District& dist
 void acceptUpdate(const FrontContext& front, District& district, const DistanceUpdate& update)
 {
   const VertexState& state = front.vertices[update.vertex];
-  if (!front.vertices.shorten(update) || !state.isShorter())
+  if (!front.vertices.shorten(update) || !front.vertices.isShorter(state))
   {
     return;
   }

@@ -101,13 +101,12 @@ public:
   /// The loop ends. The windows that are sent form trees: the parent of a window is the one that
   /// came through a face into it; a window joined from two comes from the one whose number of faces
   /// crossed it keeps. That number is its depth in the tree, and a window that has crossed as many
-  /// faces as the mesh has goes no further. So all trees have a finite depth, also around faces
-  /// without area, where a pencil of rays may come back to its halfedge. A window that is sent
-  /// makes few others, which are cut into a finite number of parts before they are sent in turn.
-  /// Trees of finite depth in which each window has finitely many children are finite. And there
-  /// are finitely many trees: the windows of the source, and those that vertices emit. A vertex
-  /// emits again only if its distance has become shorter by more than a tie, a fraction of it,
-  /// which cannot go on for ever.
+  /// faces as the mesh has goes no further. So all trees have a finite depth, even if rounding
+  /// leads a pencil of rays back to its halfedge. A window that is sent makes few others, which are
+  /// cut into a finite number of parts before they are sent in turn. Trees of finite depth in which
+  /// each window has finitely many children are finite. And there are finitely many trees: the
+  /// windows of the source, and those that vertices emit. A vertex emits again only if its distance
+  /// has become shorter by more than a tie, a fraction of it, which cannot go on for ever.
   void advance(double limit)
   {
     while (this->next_.least <= limit && this->next_.least < Infinity)
@@ -301,7 +300,7 @@ private:
   {
     const VertexState& state = this->vertices_[vertex];
     const WaitingLists& lists = this->districtOf(vertex).lists;
-    bool isWithin = state.isShorter() && state.distance <= distance;
+    bool isWithin = this->vertices_.isShorter(state) && state.distance <= distance;
     for (Id list = state.facing; list != NoId && !isWithin; list = lists[list].next)
     {
       isWithin = isAnyWindowWithin(lists[list].windows.range(), distance);

@@ -154,10 +154,6 @@ bool findSaddleWedge(
   const Id corner = TriangleMesh::previousInFace(arrival.halfedge);
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(corner));
   const double first = mesh.length(corner);
-  if (!(shape.area2 > 0.0))
-  {
-    return false;
-  }
   // In the corner's frame, whose x axis is its first edge.
   const Vec2 second =
     (1.0 / first) * Vec2{ shape.cornerDot[TriangleMesh::indexInFace(corner)], shape.area2 };

@@ -25,8 +25,8 @@ struct EmittedInterval
 ///
 /// \param shadow the parts of the halfedges opposite the vertex's corners that are in the shadow;
 ///        replaced.
-/// \returns false if the faces around the vertex do not form one fan, have no area, or the arrival
-/// is unknown: then the vertex has to emit everywhere, and `shadow` is meaningless.
+/// \returns false if the faces around the vertex do not form one fan, or the arrival is unknown:
+/// then the vertex has to emit everywhere, and `shadow` is meaningless.
 bool findSaddleWedge(const TriangleMesh& mesh, Id vertex, const Arrival& arrival,
   std::vector<EmittedInterval>& shadow);
 

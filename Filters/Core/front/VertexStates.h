@@ -60,8 +60,8 @@ struct VertexState
       ++this->timesProcessed;
     }
   }
-  /// Whether its distance is shorter than the processed one by more than a tie.
-  bool isShorter() const { return this->distance < this->processed * (1.0 - tolerance::Tie); }
+  /// Whether its distance is shorter than the processed one by more than a fraction.
+  bool isShorter(double tie) const { return this->distance < this->processed * (1.0 - tie); }
 };
 
 /// The distances found so far, at all vertices.
@@ -72,6 +72,7 @@ public:
   /// \param withArrivals whether arrivals are stored, for tracing paths.
   VertexStates(const TriangleMesh& mesh, bool withErrors, bool withArrivals, const Job& job)
     : mesh_(mesh)
+    , tie_(withErrors ? tolerance::Tie : tolerance::SameEmission)
     , errors_(withErrors ? mesh.numberOfVertices() : 0, 0.0)
     , arrivals_(withArrivals ? mesh.numberOfVertices() : 0)
   {
@@ -105,6 +106,8 @@ public:
   const VertexState& operator[](Id vertex) const { return this->states_[vertex]; }
   VertexState& operator[](Id vertex) { return this->states_[vertex]; }
   double distance(Id vertex) const { return this->states_[vertex].distance; }
+  /// Whether a vertex has to be processed, as its distance has become shorter.
+  bool isShorter(const VertexState& state) const { return state.isShorter(this->tie_); }
   /// How much longer than the vertex's distance its path can be: 0 in the exact solve.
   double error(Id vertex) const { return this->errors_.empty() ? 0.0 : this->errors_[vertex]; }
 
@@ -127,10 +130,10 @@ public:
     {
       return false;
     }
-    const bool isTie = distance >= state.distance * (1.0 - tolerance::Tie) ||
-      (isShorter && this->isBoundOnly(update));
+    const auto isTie = [&, isBound = isShorter && this->isBoundOnly(update)](double tie)
+    { return distance >= state.distance * (1.0 - tie) || isBound; };
     if (!this->arrivals_.empty() &&
-      ((isShorter && !isTie) || this->isBetterArrival(update, distance)))
+      ((isShorter && !isTie(tolerance::Tie)) || this->isBetterArrival(update, distance)))
     {
       this->arrivals_[update.vertex] = update.from;
     }
@@ -138,15 +141,15 @@ public:
     {
       return false;
     }
+    if (!isTie(this->tie_) || state.arrivalHalfedge == NoId)
+    {
+      state.arrivalHalfedge = update.from.halfedge;
+      state.arrivalX = update.from.x;
+    }
     state.distance = distance;
     if (!this->errors_.empty())
     {
       this->errors_[update.vertex] = update.error;
-    }
-    if (!isTie || state.arrivalHalfedge == NoId)
-    {
-      state.arrivalHalfedge = update.from.halfedge;
-      state.arrivalX = update.from.x;
     }
     return true;
   }
@@ -221,6 +224,9 @@ private:
   }
 
   const TriangleMesh& mesh_;
+  /// A vertex whose distance becomes shorter by no more than this fraction is not processed again.
+  /// Within an error nothing is lost by it.
+  double tie_;
   std::vector<VertexState> states_;
   /// Empty in the exact solve.
   std::vector<double> errors_;

@@ -40,7 +40,7 @@ public:
 
   /// For each point all faces that put it onto its closest place, in the order of ClosestFace.
   /// There are several where the surface touches or overlaps itself, and the locator cannot know
-  /// which one is meant. Faces without area count like all others. All ranks call this together and
+  /// which one is meant. All ranks call this together and
   /// get the same. Not thread-safe.
   ///
   /// \param points the same on all ranks.

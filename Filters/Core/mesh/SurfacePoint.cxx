@@ -76,12 +76,6 @@ SurfacePoint fromBarycentric(const TriangleMesh& mesh, Id face, const Barycentri
     return placeOnHalfedge(
       mesh, TriangleMesh::halfedgeOf(face, begin), end / (weights[begin] + end));
   }
-  if (mesh.shape(face).hasZeroArea())
-  {
-    const Id longest = longestHalfedge(mesh, face);
-    const Vec2 place = inHalfedgeFrame(mesh, longest, { 1.0 - u - v, u, v });
-    return placeOnHalfedge(mesh, longest, place.x / mesh.length(longest));
-  }
   return SurfacePoint::inFace(face, u, v);
 }
 

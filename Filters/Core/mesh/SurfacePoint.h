@@ -43,8 +43,7 @@ struct SurfacePoint
 };
 
 /// The point of a face with these barycentric coordinates (of its corners 0, 1, 2; their sum may
-/// differ from one): a vertex or edge point if coordinates are zero. A face without area has no
-/// inside: its points lie on its longest edge.
+/// differ from one): a vertex or edge point if coordinates are zero.
 SurfacePoint fromBarycentric(const TriangleMesh& mesh, Id face, const Barycentric& coordinates);
 
 /// The same point with the kind that matches its coordinates: a face point with a coordinate that

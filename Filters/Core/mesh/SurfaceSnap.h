@@ -20,8 +20,7 @@ struct SnappedPoint
 };
 
 /// Puts a point onto the closest point of a face, and from there onto a vertex or an edge of the
-/// face within the precision of the coordinates (Tolerance.h). Faces may be needles or have no
-/// area.
+/// face within the precision of the coordinates (Tolerance.h). Faces may be needles.
 ///
 /// \param coordinatePrecision relative precision of the point's coordinates.
 SnappedPoint snapToFace(

@@ -12,12 +12,6 @@
 namespace geodesic
 {
 
-bool FaceShape::hasZeroArea() const
-{
-  const double longest = this->longest();
-  return this->area2 <= tolerance::ZeroArea * longest * longest;
-}
-
 namespace
 {
 
@@ -50,48 +44,33 @@ bool isDuplicate(const TriangleMesh& mesh, Id face)
   return false;
 }
 
-// If a face without area has a corner on its longest edge, it becomes flat: what rounding left of
-// the altitude would turn rays by as much at each crossing, and windows would drift around several
-// such faces until they were no longer recognised as one.
-//
-// A corner that was put onto the edge has been rounded as coordinates are.
-void flatten(FaceShape& shape, std::size_t longest, double largestCoordinate)
+// A cap conducts along its edges, which lie on one line. A height far below the shorter ones gives
+// the face an inside and changes its lengths by less than rounding.
+void raiseCap(FaceShape& shape)
 {
+  const std::size_t longest = shape.longestEdge();
   const std::size_t next = (longest + 1) % 3;
   const std::size_t apex = (longest + 2) % 3;
-  const double length = shape.length[longest];
-  const double snapDistance =
-    std::min(tolerance::SnapRoundings * tolerance::Rounding * largestCoordinate,
-      tolerance::SnapFraction * std::min(shape.length[next], shape.length[apex]));
-  if (shape.cornerDot[apex] < 0.0 && (shape.hasZeroArea() || shape.area2 <= snapDistance * length))
+  const std::array<double, 3>& length = shape.length;
+  if (!(shape.cornerDot[apex] < 0.0))
   {
-    shape.area2 = 0.0;
-    shape.cornerDot[longest] = shape.length[longest] * shape.length[apex];
-    shape.cornerDot[next] = shape.length[longest] * shape.length[next];
-    shape.cornerDot[apex] = -shape.length[next] * shape.length[apex];
+    return;
   }
+  shape.area2 = tolerance::RaisedHeight * length[longest] * shape.shortest();
+  shape.cornerDot[longest] = length[longest] * length[apex];
+  shape.cornerDot[next] = length[longest] * length[next];
+  shape.cornerDot[apex] = -length[next] * length[apex];
 }
 
 FaceShape measure(const TriangleMesh& mesh, Id face)
 {
   const Triangle& t = mesh.triangle(face);
-  std::array<Vec3, 3> edge;
-  FaceShape shape;
-  for (std::size_t k = 0; k < 3; ++k)
+  const std::array<Vec3, 3> corners = { mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]) };
+  FaceShape shape = shapeOf(corners);
+  if (isWithoutArea(shape, corners))
   {
-    edge[k] = mesh.point(t[(k + 1) % 3]) - mesh.point(t[k]);
-    shape.length[k] = norm(edge[k]);
+    raiseCap(shape);
   }
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    shape.cornerDot[k] = -dot(edge[k], edge[(k + 2) % 3]);
-  }
-  // The three cross products are equal; that of the two shorter edges has the least rounding.
-  const std::size_t longest = shape.longestEdge();
-  shape.area2 = norm(cross(edge[(longest + 1) % 3], edge[(longest + 2) % 3]));
-  flatten(shape, longest,
-    std::max({ largestCoordinate(mesh.point(t[0])), largestCoordinate(mesh.point(t[1])),
-      largestCoordinate(mesh.point(t[2])) }));
   return shape;
 }
 

@@ -5,6 +5,7 @@
 #include "Job.h"
 #include "Tolerance.h"
 #include "Types.h"
+#include "mesh/FaceShape.h"
 
 #include <algorithm>
 #include <vector>
@@ -12,36 +13,8 @@
 namespace geodesic
 {
 
-/// The metric of one face, as unfolding needs it. It is computed from differences of coordinates
-/// and so stays accurate in needles; lengths alone would lose half the digits.
-struct FaceShape
-{
-  /// Length of halfedge k, from corner k to corner k + 1.
-  std::array<double, 3> length;
-  /// At corner k: (p[k+1] - p[k]) . (p[k+2] - p[k]).
-  std::array<double, 3> cornerDot;
-  /// Twice the area.
-  double area2;
-
-  std::size_t longestEdge() const
-  {
-    return static_cast<std::size_t>(
-      std::max_element(this->length.begin(), this->length.end()) - this->length.begin());
-  }
-  double longest() const { return this->length[this->longestEdge()]; }
-  /// According to tolerance::ZeroArea.
-  bool hasZeroArea() const;
-  /// According to tolerance::ThinFace.
-  bool isThin() const
-  {
-    const auto isLong = [this](double edge)
-    { return this->area2 < tolerance::ThinFace * edge * edge; };
-    return isLong(this->length[0]) || isLong(this->length[1]) || isLong(this->length[2]);
-  }
-};
-
 /// An indexed triangle mesh of any topology: with boundary, several components, edges of three and
-/// more faces, bow-tie vertices, inconsistent orientation, zero-area faces.
+/// more faces, bow-tie vertices, inconsistent orientation.
 ///
 /// A halfedge is one edge of one face, numbered 3 * face + k for the edge from corner k to corner k
 /// + 1 (mod 3). A corner has the number of the halfedge that begins there. The halfedges of one
@@ -56,7 +29,8 @@ public:
 
   /// Builds the mesh. Each point becomes a vertex; the caller has already merged coincident points.
   /// Faces that name a vertex twice, or the same three vertices as an earlier face, are left out.
-  /// Faces without area stay, as paths may cross them.
+  /// A face without area gets a height that changes no length: paths may run along its edges, but
+  /// the surface must not go on behind it (removeFacesWithoutArea).
   ///
   /// \param points coordinates, finite.
   /// \param triangles three vertex ids a face, in any orientation.

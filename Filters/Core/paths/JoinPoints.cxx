@@ -240,8 +240,7 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
     propagate(mesh, { pointCurve(second) }, options, search).vertexDistances;
 
   corridor.lowerBounds = lowerBounds(mesh, second, toSecond, search.neededDistance(), corridor);
-  // The two points may be at one place, behind faces without area: there a path is as long as
-  // roundings.
+  // The two points may be at one place but for roundings.
   const double least = tolerance::BoundMargin * length;
   corridor.length =
     std::min(length, std::max(least, (1.0 + tolerance::CorridorSearch) * search.neededDistance()));
@@ -315,16 +314,8 @@ bool isWhole(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path)
 
 /// Gives a path on the surface the two points that it was looked for between as its ends: on the
 /// sub-mesh they were rounded.
-void setEnds(const TriangleMesh& mesh, const SurfacePoint& first, const SurfacePoint& second,
-  std::vector<SurfacePoint>& path)
+void setEnds(const SurfacePoint& first, const SurfacePoint& second, std::vector<SurfacePoint>& path)
 {
-  // A path may begin at a vertex at the place of the first point, behind faces without area.
-  const bool isBehind = path.size() > 1 && commonFace(mesh, first, path[1]) == NoId &&
-    commonFace(mesh, first, path[0]) != NoId;
-  if (path.empty() || isBehind)
-  {
-    path.insert(path.begin(), first);
-  }
   path.resize(std::max<std::size_t>(path.size(), 2));
   path.front() = first;
   path.back() = second;
@@ -358,24 +349,12 @@ std::vector<SurfacePoint> pathBetween(
     return {};
   }
   const std::vector<Id> faces = facesWithin(mesh, first, second, longest, job);
-  const auto find = [&](const SurfacePoint& from, const SurfacePoint& to)
-  {
-    std::vector<SurfacePoint> path = faces.empty()
-      ? shortestPath(mesh, from, to, longest, job)
-      : shortestPathIn(faces, mesh, from, to, longest, job);
-    setEnds(mesh, from, to, path);
-    path = cleanedPath(mesh, path, longest);
-    linkEnds(mesh, path);
-    return path;
-  };
-  std::vector<SurfacePoint> path = find(first, second);
-  if (!isWhole(mesh, path))
-  {
-    // The path may begin at a vertex at the place of the first point, behind several faces without
-    // area.
-    path = find(second, first);
-    std::reverse(path.begin(), path.end());
-  }
+  std::vector<SurfacePoint> path = faces.empty()
+    ? shortestPath(mesh, first, second, longest, job)
+    : shortestPathIn(faces, mesh, first, second, longest, job);
+  setEnds(first, second, path);
+  path = cleanedPath(mesh, path, longest);
+  linkEnds(mesh, path);
   if (!isWhole(mesh, path))
   {
     throw Error("The shortest path between two points of the source could not be traced.");

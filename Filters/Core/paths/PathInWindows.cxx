@@ -38,10 +38,10 @@ struct PathStep
   std::size_t next = 0;
 };
 
-/// Searches depth first: pieces without length may lead around faces without area to where no way
-/// on is left but back. A shortest path crosses no face twice, and a place that has been left once
-/// is not tried again, so that the search ends. A face before a dead end stays crossed: the step
-/// before knows all ways through it.
+/// Searches depth first: pieces without length may lead to where no way on is left but back. A
+/// shortest path crosses no face twice, and a place that has been left once is not tried again, so
+/// that the search ends. A face before a dead end stays crossed: the step before knows all ways
+/// through it.
 class PathSearch
 {
 public:

@@ -105,6 +105,17 @@ struct PointMessage
   PlaceOnSeam place() const { return { this->face, this->halfedge, this->fraction }; }
 };
 
+/// \param place on an edge, or at a vertex, which all ranks know by its global id.
+PointMessage messageOf(const MeshPartition& part, const SurfacePoint& place, Id point)
+{
+  if (place.kind == SurfacePoint::Kind::Vertex)
+  {
+    return { { -1, part.globalId(place.id) }, 0, point, 0.0 };
+  }
+  return { part.addressOf(TriangleMesh::faceOf(place.id)), TriangleMesh::indexInFace(place.id),
+    point, place.u };
+}
+
 /// This rank's points at one place; there are several if a vertex has several of the caller's
 /// points.
 struct PointsAtPlace
@@ -144,8 +155,7 @@ std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& po
     {
       continue;
     }
-    const RankAddress face = part.addressOf(TriangleMesh::faceOf(place.id));
-    const PointMessage sent = { face, TriangleMesh::indexInFace(place.id), i, place.u };
+    const PointMessage sent = messageOf(part, place, i);
     PointsAtPlace& at = places[sent.place()];
     at.here.push_back(i);
     if (isKnown && at.there.id == NoId)

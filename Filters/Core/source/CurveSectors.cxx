@@ -57,18 +57,18 @@ void CurveSectors::addFan(const SurfacePoint& point, Id face)
   do
   {
     addFrame(angle);
-    angle += turn.angle();
+    angle += turn.width();
   } while (turn.next());
   if (turn.isClosed())
   {
     total = angle;
     return;
   }
-  double end = 0.0; // of the face, in a face without area as of those behind it
+  double end = 0.0; // of the face
   for (bool isThere = turn.turnBack(); isThere; isThere = turn.next())
   {
-    addFrame(end - turn.width());
-    end -= turn.angle();
+    end -= turn.width();
+    addFrame(end);
   }
 }
 

@@ -70,7 +70,7 @@ private:
     }
   };
   /// A face around the point: the angle of the x axis of one of its halfedges in the fan, and the
-  /// angle of the face from there. In a face without area, that of the faces behind it.
+  /// angle of the face from there.
   struct Frame
   {
     Id halfedge;

@@ -3,7 +3,6 @@
 
 #include "Tolerance.h"
 #include "source/DirectionsAround.h"
-#include "source/TurnAroundPoint.h"
 
 #include <algorithm>
 #include <tuple>
@@ -44,21 +43,12 @@ bool hasLength(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t s
     fraction * mesh.shape(curve.faces[segment]).longest();
 }
 
-/// Whether the ends of a segment are at one place: across a face without area a joined path may run
-/// along it as far as it misses its end.
-bool isAtOnePlace(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t segment)
-{
-  return !hasLength(mesh, curve, segment,
-    mesh.shape(curve.faces[segment]).hasZeroArea() ? tolerance::NearEdge
-                                                   : tolerance::PlaceRounding);
-}
-
 /// Whether the ends of a segment determine its direction. Where the curve is merely cut, the next
 /// segment determines the direction better than a short one.
 bool tellsDirection(const TriangleMesh& mesh, const SourceCurve& curve, const Step& step)
 {
   return curve.isCut[step.to] ? hasLength(mesh, curve, step.segment, tolerance::NearEdge)
-                              : !isAtOnePlace(mesh, curve, step.segment);
+                              : hasLength(mesh, curve, step.segment);
 }
 
 /// Point i and those at its place that follow it in one direction.
@@ -67,7 +57,7 @@ std::vector<std::size_t> pointsAtOnePlace(
 {
   std::vector<std::size_t> points = { i };
   for (Step step = stepFrom(curve, i, isForward); points.size() <= curve.faces.size() &&
-       step.segment != None && isAtOnePlace(mesh, curve, step.segment);
+       step.segment != None && !hasLength(mesh, curve, step.segment);
        step = stepFrom(curve, step.to, isForward))
   {
     points.push_back(step.to);
@@ -88,8 +78,8 @@ std::vector<Step> stepsOnward(
     if (next.segment == None || p.kind != SurfacePoint::Kind::Edge || !mesh.isInner(p.id) ||
       steps.size() == curve.faces.size())
     {
-      const bool isAlong = !isAtOnePlace(mesh, curve, first.segment);
-      return isAlong ? std::vector<Step>{ first } : std::vector<Step>();
+      return hasLength(mesh, curve, first.segment) ? std::vector<Step>{ first }
+                                                   : std::vector<Step>();
     }
     steps.push_back(next);
   }
@@ -132,18 +122,7 @@ void addEnd(const TriangleMesh& mesh, const CurveChains& chains, const CurveChai
   }
 }
 
-/// The other vertices at the place of point i of a curve, behind faces without area. None where the
-/// curve is merely cut, and for a curve that is a point.
-std::vector<Id> verticesAtCornerOf(
-  const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i)
-{
-  const bool isCorner =
-    curve.points.size() > 1 && !curve.isCut[i] && curve.points[i].kind != SurfacePoint::Kind::Face;
-  return isCorner ? verticesAtPlaceOf(mesh, curve.points[i]) : std::vector<Id>();
-}
-
-/// A vertex at the place of point i of a curve, whether one of the curve's points or not; NoId
-/// where there is none.
+/// A vertex among the curve's points at the place of point i; NoId where there is none.
 Id vertexAtPlaceOf(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i)
 {
   Id vertex = NoId;
@@ -152,11 +131,7 @@ Id vertexAtPlaceOf(const TriangleMesh& mesh, const SourceCurve& curve, std::size
     for (const std::size_t point : pointsAtOnePlace(mesh, curve, i, isForward))
     {
       const SurfacePoint& p = curve.points[point];
-      const std::vector<Id> others = verticesAtCornerOf(mesh, curve, point);
-      const Id found = p.kind == SurfacePoint::Kind::Vertex ? p.id
-        : others.empty()                                    ? NoId
-                                                            : others.front();
-      vertex = std::min(vertex, found);
+      vertex = std::min(vertex, p.kind == SurfacePoint::Kind::Vertex ? p.id : NoId);
     }
   }
   return vertex;
@@ -174,14 +149,10 @@ CurvesOnPatch::CurvesOnPatch(const ReplicatedPatch& patch, const std::vector<Sou
     const std::size_t count = curve.points.size() - (curve.isClosed() ? 1 : 0);
     for (std::size_t i = 0; i < count; ++i)
     {
-      std::vector<Id> vertices = verticesAtCornerOf(this->mesh(), curve, i);
       if (curve.points[i].kind == SurfacePoint::Kind::Vertex)
       {
-        vertices.push_back(curve.points[i].id);
-      }
-      for (const Id vertex : vertices)
-      {
-        this->vertices_.push_back({ vertex, chain, i, this->chains_.parameters(chain)[i] });
+        this->vertices_.push_back(
+          { curve.points[i].id, chain, i, this->chains_.parameters(chain)[i] });
       }
     }
   }
@@ -222,9 +193,7 @@ bool CurvesOnPatch::isBesideVertex(const CurveChains::Point& at) const
     return step.segment != None && curve.points[step.to].kind == SurfacePoint::Kind::Vertex &&
       !hasLength(this->mesh(), curve, step.segment);
   };
-  return leadsToVertex(stepFrom(curve, at.i, true)) ||
-    leadsToVertex(stepFrom(curve, at.i, false)) ||
-    !verticesAtCornerOf(this->mesh(), curve, at.i).empty();
+  return leadsToVertex(stepFrom(curve, at.i, true)) || leadsToVertex(stepFrom(curve, at.i, false));
 }
 
 // Several points of a curve may be at one place: their ends are the same.
@@ -235,13 +204,9 @@ std::vector<SegmentEnd> CurvesOnPatch::endsOf(Id vertex, bool isAround) const
     std::equal_range(this->vertices_.begin(), this->vertices_.end(), VertexOnCurve{ vertex });
   for (auto on = range.first; on != range.second; ++on)
   {
-    const SurfacePoint& p = this->chains_.curves()[on->curve].points[on->i];
-    if (isAround || (p.kind == SurfacePoint::Kind::Vertex && p.id == vertex))
-    {
-      const CurveChains::Point at = { on->curve, on->i };
-      const std::vector<SegmentEnd> added = isAround ? this->endsAround(at) : this->endsAt(at);
-      ends.insert(ends.end(), added.begin(), added.end());
-    }
+    const CurveChains::Point at = { on->curve, on->i };
+    const std::vector<SegmentEnd> added = isAround ? this->endsAround(at) : this->endsAt(at);
+    ends.insert(ends.end(), added.begin(), added.end());
   }
   const auto isLess = [](const SegmentEnd& a, const SegmentEnd& b)
   {

@@ -39,8 +39,7 @@ struct VertexOnCurve
 };
 
 /// The curves of a source on their patch, joined to chains, and the mesh vertices on them. Several
-/// curves may meet in one vertex. A vertex at the place of a curve's corner or end, behind faces
-/// without area, is on the curve.
+/// curves may meet in one vertex.
 class CurvesOnPatch
 {
 public:
@@ -56,20 +55,20 @@ public:
   const VertexOnCurve* find(Id vertex) const;
 
   /// The ends of the segments that meet in a point of a chain: two inside the chain, one at its
-  /// ends, none if the chain is a point. A segment without length, as in a face without area,
-  /// counts only if the chain continues from it across edges.
+  /// ends, none if the chain is a point. A segment without length, between places that differ by
+  /// rounding, counts only if the chain continues from it across edges.
   std::vector<SegmentEnd> endsAt(const CurveChains::Point& at) const;
   /// The same of all points at the place of the point, which segments without length join.
   std::vector<SegmentEnd> endsAround(const CurveChains::Point& at) const;
   /// The same of all curves that contain a vertex.
   std::vector<SegmentEnd> endsAt(Id vertex) const { return this->endsOf(vertex, false); }
   std::vector<SegmentEnd> endsAround(Id vertex) const { return this->endsOf(vertex, true); }
-  /// Whether a vertex is at the place of a chain's point, or a segment without length leads to one.
-  /// The segments on both sides then bound the vertex's wedge, not the point's.
+  /// Whether a segment without length leads from a chain's point to a vertex. The segments on both
+  /// sides then bound the vertex's wedge, not the point's.
   bool isBesideVertex(const CurveChains::Point& at) const;
 
-  /// A point of a chain (CurveChains::pointAt()), at the vertex at its place if there is one, and
-  /// the ends around it: of all curves at a vertex, else of this chain.
+  /// A point of a chain (CurveChains::pointAt()), at a vertex of the chain at its place if there is
+  /// one, and the ends around it: of all curves at a vertex, else of this chain.
   PointWithEnds around(Id point) const;
 
   /// The frame of a single point, or of a curve at its first segment: NearestSource::frameOf().

@@ -137,47 +137,11 @@ std::size_t DirectionsAround::indexOf(Id face) const
   return isThere ? static_cast<std::size_t>(frame - this->frames_.begin()) : None;
 }
 
-// Unfolds faces without area between a face and those around the point.
-FaceDirection DirectionsAround::inFrame(const FaceDirection& from) const
-{
-  const auto isThin = [this](Id halfedge)
-  { return this->mesh_.shape(TriangleMesh::faceOf(halfedge)).hasZeroArea(); };
-  std::vector<FaceDirection> reached = { from };
-  for (std::size_t n = 0; n < reached.size(); ++n)
-  {
-    const FaceDirection at = reached[n];
-    const Id face = TriangleMesh::faceOf(at.halfedge);
-    if (this->indexOf(face) != None)
-    {
-      return at;
-    }
-    if (n > 0 && !isThin(at.halfedge))
-    {
-      continue;
-    }
-    for (const Id own : TriangleMesh::halfedgesOf(face))
-    {
-      const FaceDirection d = { own, turned(this->mesh_, at, own) };
-      for (Id s = this->mesh_.nextSibling(own); s != own; s = this->mesh_.nextSibling(s))
-      {
-        const auto isSame = [s](const FaceDirection& r)
-        { return TriangleMesh::faceOf(r.halfedge) == TriangleMesh::faceOf(s); };
-        if ((isThin(own) || isThin(s)) && std::none_of(reached.begin(), reached.end(), isSame))
-        {
-          reached.push_back(acrossEdge(this->mesh_, d, s));
-        }
-      }
-    }
-  }
-  return { this->frames_.front().halfedge, { 1.0, 0.0 } }; // none of the faces behind has it
-}
-
 // Rounding may put the direction of a halfedge from the point slightly below the x axis.
 double DirectionsAround::around(Id halfedge, Vec2 direction) const
 {
-  const FaceDirection own = this->inFrame({ halfedge, direction });
-  const Frame& frame = this->frameOf(TriangleMesh::faceOf(own.halfedge));
-  const Vec2 d = turned(this->mesh_, own, frame.halfedge);
+  const Frame& frame = this->frameOf(TriangleMesh::faceOf(halfedge));
+  const Vec2 d = turned(this->mesh_, direction, halfedge, frame.halfedge);
   const double turn = polarAngle(d);
   const double angle = turn < -RightAngle ? turn + FullAngle : turn;
   return frame.axis + (frame.isMirrored ? -angle : angle);

@@ -25,8 +25,8 @@ public:
   /// \param ends the ends of all segments at its place: CurvesOnPatch::endsAround().
   void assign(const SurfacePoint& point, const std::vector<SegmentEnd>& ends);
 
-  /// The angle of a direction in the frame of a halfedge of a face around the point, or of one
-  /// behind faces without area: in its fan, not scaled. Every direction has its own angle.
+  /// The angle of a direction in the frame of a halfedge of a face around the point: in its fan,
+  /// not scaled. Every direction has its own angle.
   double around(Id halfedge, Vec2 direction) const;
   /// Whether these angles grow clockwise in a face around the point.
   bool isMirrored(Id face) const { return this->frameOf(face).isMirrored; }
@@ -96,7 +96,6 @@ private:
   void addFanOfEdge(Id halfedge);
   void addFanOfVertex(Id corner);
   Stop beside(const Stop& stop, bool isClockwise) const;
-  FaceDirection inFrame(const FaceDirection& from) const;
   std::size_t indexOf(Id face) const;
   const Frame& frameOf(Id face) const { return this->frames_[this->indexOf(face)]; }
   const Fan& fanOf(double around) const;

@@ -210,8 +210,8 @@ struct PointEmitter
 
   /// Sends the rays of a point close to a halfedge through the faces behind it in one step, between
   /// the rays through the ends of the edge, which hide what lies beside them. Rays continue in the
-  /// same way while the point is close to the next edge: around a vertex near the point, along a
-  /// needle, through a face without area.
+  /// same way while the point is close to the next edge: around a vertex near the point, or along a
+  /// needle.
   ///
   /// \param point in the leaving frame of the halfedge, as seen from the window frame.
   /// \param rays where they meet the halfedge.
@@ -247,24 +247,19 @@ struct PointEmitter
     {
       this->result.nearVertices.push_back({ this->mesh.opposite(halfedge) });
     }
-    // In a face without area all rays run along its edges, so they do not determine a direction.
-    Window seen = w;
-    seen.sourceDepth = face.apex.y > 0.0
-      ? w.sourceDepth
-      : std::max(w.sourceDepth, tolerance::SourceDepth * face.length);
-    const bool toLeft = !seen.passesRightOf(w.begin, face.apex);
-    const bool toRight = seen.passesRightOf(w.end, face.apex);
+    const bool toLeft = !w.passesRightOf(w.begin, face.apex);
+    const bool toRight = w.passesRightOf(w.end, face.apex);
     if (toLeft)
     {
-      const double begin = face.meetLeft(seen, w.begin);
-      const double end = toRight ? face.leftLength : face.meetLeft(seen, w.end);
+      const double begin = face.meetLeft(w, w.begin);
+      const double end = toRight ? face.leftLength : face.meetLeft(w, w.end);
       this->leave({ TriangleMesh::previousInFace(halfedge), face.throughLeft(w, begin, end) },
         frame.turnedBy(face.leftAxis));
     }
     if (toRight)
     {
-      const double begin = toLeft ? 0.0 : face.meetRight(seen, w.begin);
-      const double end = face.meetRight(seen, w.end);
+      const double begin = toLeft ? 0.0 : face.meetRight(w, w.begin);
+      const double end = face.meetRight(w, w.end);
       this->leave({ TriangleMesh::nextInFace(halfedge), face.throughRight(w, begin, end) },
         frame.turnedBy(face.rightAxis));
     }
@@ -285,10 +280,7 @@ struct PointEmitter
     }
     if (isBeside)
     {
-      // In a face without area rays have no direction that would hold them between bounds.
-      const bool isLine = this->mesh.shape(TriangleMesh::faceOf(halfedge)).hasZeroArea();
-      this->sendFromBeside(
-        halfedge, point, isLine ? Interval{ 0.0, length } : Interval{ w.begin, w.end }, frame);
+      this->sendFromBeside(halfedge, point, { w.begin, w.end }, frame);
     }
   }
 

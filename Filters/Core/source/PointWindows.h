@@ -26,8 +26,8 @@ struct EmittingPoint
 /// If the point is close to a halfedge (tolerance::NearEdge), the place where a ray crosses it
 /// determines the ray's direction badly. All rays then pass through that halfedge, and windows
 /// behind the next faces are added as well, whose rays come straight from the point. If the point
-/// lies on that halfedge, as in a face without area, and has sectors there, the next faces contain
-/// it, too: they are added to the faces of the source, and nothing passes through the halfedge.
+/// lies on that halfedge but for rounding, and has sectors there, the next faces contain it, too:
+/// they are added to the faces of the source, and nothing passes through the halfedge.
 ///
 /// If the point is near a vertex whose faces are far larger, rays through the edges at the vertex
 /// are laid out by their turn around it, which the place of the point beside the vertex determines

@@ -54,41 +54,6 @@ void check(const TriangleMesh& mesh, const LocatedPolyline& polyline)
   }
 }
 
-/// Whether two places of one point share a face, or faces without area lie between them.
-bool areJoined(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to)
-{
-  std::vector<Id> faces;
-  std::set<Id> entered;
-  const auto enter = [&](Id face)
-  {
-    if (entered.insert(face).second)
-    {
-      faces.push_back(face);
-    }
-  };
-  forEachFace(mesh, from, enter);
-  for (std::size_t n = 0; n < faces.size(); ++n)
-  {
-    const Id face = faces[n];
-    if (contains(mesh, face, to))
-    {
-      return true;
-    }
-    if (!mesh.shape(face).hasZeroArea())
-    {
-      continue;
-    }
-    for (const Id halfedge : TriangleMesh::halfedgesOf(face))
-    {
-      for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
-      {
-        enter(TriangleMesh::faceOf(s));
-      }
-    }
-  }
-  return false;
-}
-
 /// Puts polylines onto the surface, one after another: chooses the places of their points, leaves
 /// out those that repeat their predecessors, and joins the others to curves.
 class PolylinePutter
@@ -182,8 +147,7 @@ private:
     return choosePlaces(this->mesh_, possible, polyline.closed, this->components_, lengthBetween);
   }
 
-  /// Several lines if the polyline changes from one sheet to another. Places on both sides of faces
-  /// without area are on one sheet.
+  /// Several lines if the polyline changes from one sheet to another.
   std::vector<PlacedLine> linesThrough(const std::vector<PlacedLine>& places,
     const std::vector<ChosenPlaces>& chosen, bool closed) const
   {
@@ -192,7 +156,7 @@ private:
     {
       const auto [arrival, departure] = chosen[i];
       return arrival != departure &&
-        !areJoined(this->mesh_, places[i][arrival].place, places[i][departure].place);
+        commonFace(this->mesh_, places[i][arrival].place, places[i][departure].place) == NoId;
     };
     std::size_t first = closed ? 0 : count;
     while (first < count && !isChange(first))

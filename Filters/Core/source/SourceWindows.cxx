@@ -47,17 +47,6 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFac
     windows);
 }
 
-/// Whether a segment merely crosses a face without area: it is as long as roundings of the points
-/// of its curve, which turn it anywhere. This leaves gaps of its length.
-bool isAcrossWithoutArea(
-  const TriangleMesh& mesh, const SourceInFace& segment, double lengthOfCurve)
-{
-  const FaceShape& shape = mesh.shape(segment.face);
-  return shape.hasZeroArea() &&
-    segment.parameterOfB - segment.parameterOfA <=
-    tolerance::PathAtVertex * (lengthOfCurve + shape.longest());
-}
-
 class SourceWindowsMaker
 {
 public:
@@ -116,10 +105,7 @@ private:
     {
       this->step();
       this->result_.inFaces.push_back(segment);
-      if (!isAcrossWithoutArea(this->mesh_, segment, parameters.back()))
-      {
-        addSegmentWindows(this->mesh_, segment, this->result_.windows);
-      }
+      addSegmentWindows(this->mesh_, segment, this->result_.windows);
     }
   }
 
@@ -183,17 +169,11 @@ private:
       });
   }
 
-  // In a face without area a point of the longest edge may coincide with the opposite vertex.
   void findNearVertices(Id face, const Barycentric& b)
   {
-    const FaceShape& shape = this->mesh_.shape(face);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const bool isNear = 1.0 - b[k] < tolerance::NearVertex ||
-        (shape.hasZeroArea() &&
-          distanceInFace(this->mesh_, face, b, cornerWeights(k)) <
-            tolerance::NearVertex * shape.longest());
-      if (isNear)
+      if (1.0 - b[k] < tolerance::NearVertex)
       {
         this->result_.nearVertices.push_back(
           nearVertexAt(this->mesh_, TriangleMesh::halfedgeOf(face, k), b));

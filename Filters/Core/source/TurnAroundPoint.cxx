@@ -3,8 +3,6 @@
 
 #include "Tolerance.h"
 
-#include <algorithm>
-
 namespace geodesic
 {
 
@@ -55,40 +53,10 @@ Id TurnAroundPoint::pivotNext(Id halfedge) const
                                    : TriangleMesh::nextInFace(halfedge);
 }
 
-// Around an end of its longest edge a face without area has an angle of 0.
-bool TurnAroundPoint::isCrossed() const
-{
-  const Id face = TriangleMesh::faceOf(this->point_.halfedge);
-  if (!this->mesh_.shape(face).hasZeroArea())
-  {
-    return false;
-  }
-  const Id longest = longestHalfedge(this->mesh_, face);
-  const bool isAtApex = this->point_.halfedge == this->pivotNext(longest) &&
-    this->mesh_.length(this->point_.halfedge) > roundingOn(this->mesh_.length(longest));
-  return this->point_.x > 0.0 || isAtApex;
-}
-
-// Across a face without area from its longest edge to that of the others which has the point, and
-// back. At the apex these two have it: the farther one is entered at the apex, whose faces follow.
 TurnAroundPoint::PointOnHalfedge TurnAroundPoint::exit() const
 {
-  const auto [halfedge, x] = this->point_;
-  if (!this->isCrossed())
-  {
-    return x > 0.0 ? this->point_ : PointOnHalfedge{ this->pivotNext(halfedge), Infinity };
-  }
-  const Id longest = longestHalfedge(this->mesh_, TriangleMesh::faceOf(halfedge));
-  const Id near = this->pivotNext(longest); // shares the end that x counts from
-  const Id far = this->pivotNext(near);
-  const double apex = this->mesh_.length(near);
-  if (halfedge == longest)
-  {
-    const bool isBehind = x >= apex - roundingOn(this->mesh_.length(longest));
-    return isBehind ? PointOnHalfedge{ far, this->mesh_.length(far) - (x - apex) }
-                    : PointOnHalfedge{ near, apex - x };
-  }
-  return { longest, halfedge == near ? apex - x : this->mesh_.length(longest) - x };
+  return this->point_.x > 0.0 ? this->point_
+                              : PointOnHalfedge{ this->pivotNext(this->point_.halfedge), Infinity };
 }
 
 // Places on the halfedges of an edge count from its two ends.
@@ -105,66 +73,16 @@ bool TurnAroundPoint::enterAcross(const PointOnHalfedge& exit)
   return !this->isClosed();
 }
 
-// A turn around a corner comes back to where it has begun, as each face follows one alone. It
-// begins where the turn comes from an edge or across a face, which no turn does twice.
 bool TurnAroundPoint::next()
 {
-  if (this->isCrossed())
-  {
-    const Id halfedge = this->point_.halfedge;
-    if (std::find(this->crossed_.begin(), this->crossed_.end(), halfedge) != this->crossed_.end())
-    {
-      return false;
-    }
-    this->crossed_.push_back(halfedge);
-  }
-  const bool isAroundCorner = this->point_.x == 0.0 && !this->isCrossed();
-  if (!this->enterAcross(this->exit()) || (isAroundCorner && this->entered_ == this->corner_))
-  {
-    return false;
-  }
-  this->corner_ = isAroundCorner ? this->corner_ : this->entered_;
-  return true;
+  return this->enterAcross(this->exit());
 }
 
 bool TurnAroundPoint::turnBack()
 {
   this->isCounterclockwise_ = false;
-  this->crossed_.clear();
   const double length = this->mesh_.length(this->first_.halfedge);
-  const bool isThere = this->enterAcross({ this->first_.halfedge, length - this->first_.x });
-  this->corner_ = this->entered_;
-  return isThere;
-}
-
-std::vector<Id> verticesAtPlaceOf(const TriangleMesh& mesh, const SurfacePoint& point)
-{
-  std::vector<Id> vertices;
-  forEachFace(mesh, point,
-    [&](Id face)
-    {
-      if (!mesh.shape(face).hasZeroArea())
-      {
-        return;
-      }
-      TurnAroundPoint turn(mesh, point, face);
-      const auto addOthers = [&](bool isThere)
-      {
-        for (; isThere; isThere = turn.next())
-        {
-          const bool isOwn = point.kind == SurfacePoint::Kind::Vertex && turn.vertex() == point.id;
-          if (turn.vertex() != NoId && !isOwn)
-          {
-            vertices.push_back(turn.vertex());
-          }
-        }
-      };
-      addOthers(true);
-      addOthers(!turn.isClosed() && turn.turnBack());
-    });
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
+  return this->enterAcross({ this->first_.halfedge, length - this->first_.x });
 }
 
 }

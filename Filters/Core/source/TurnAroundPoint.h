@@ -4,14 +4,10 @@
 
 #include "mesh/SurfacePoint.h"
 
-#include <vector>
-
 namespace geodesic
 {
 
-/// A turn around a point of an edge or a vertex, from face to face. A face without area is no
-/// obstacle: the turn goes on in the face behind it, where the point is a vertex or lies on an
-/// edge, as the place tells.
+/// A turn around a point of an edge or a vertex, from face to face.
 ///
 /// Ends at edges with other than two faces, and where the orientation changes.
 class TurnAroundPoint
@@ -24,11 +20,6 @@ public:
   /// have angles from 0 to width().
   Id halfedge() const;
   double width() const;
-  /// The angle that the turn takes in the face: none in a face without area that it crosses.
-  double angle() const { return this->isCrossed() ? 0.0 : this->width(); }
-
-  /// The vertex of the face that the point is at; NoId where it lies on an edge.
-  Id vertex() const { return this->point_.x == 0.0 ? this->mesh_.origin(this->halfedge()) : NoId; }
 
   /// Turns into the next face. \returns false where the turn has ended.
   bool next();
@@ -47,7 +38,6 @@ private:
   };
 
   Id pivotNext(Id halfedge) const;
-  bool isCrossed() const;
   PointOnHalfedge exit() const;
   bool enterAcross(const PointOnHalfedge& exit);
 
@@ -58,14 +48,7 @@ private:
   PointOnHalfedge point_;
   /// The halfedge that the turn entered across last; NoId before that and where nothing follows.
   Id entered_ = NoId;
-  /// That across which it entered the first face around the current corner; NoId before.
-  Id corner_ = NoId;
-  /// The halfedges across which the turn has entered faces without area that it crosses.
-  std::vector<Id> crossed_;
 };
-
-/// The vertices at the place of a vertex or of a point on an edge, behind faces without area.
-std::vector<Id> verticesAtPlaceOf(const TriangleMesh& mesh, const SurfacePoint& point);
 
 }
 

@@ -201,8 +201,8 @@ LowerParts lowerOf(const Window& a, const Window& b, double lo, double hi)
 {
   if (a.facesCrossed != b.facesCrossed && isSameSource(a, b))
   {
-    // One pencil that has returned around faces without area. Otherwise rounding would sometimes
-    // prefer the longer path, up to the limit of faces crossed.
+    // One pencil that has returned on another way. Otherwise rounding would sometimes prefer the
+    // longer path, up to the limit of faces crossed.
     return { a.facesCrossed < b.facesCrossed };
   }
   if (a.sigma == b.sigma && !a.isLinear() && !b.isLinear())

@@ -217,7 +217,7 @@ void WindowListBuilder::appendOfOther(const Window& window)
   Window& last = this->windows_.back();
   last.end = std::max(last.end, window.end);
   last.error = std::max(last.error, window.error);
-  // If the pencil has returned around faces without area, the shorter path counts.
+  // If the pencil has returned on another way, the shorter path counts.
   last.facesCrossed = std::min<Id>(last.facesCrossed, window.facesCrossed) & MaximumFacesCrossed;
 }
 

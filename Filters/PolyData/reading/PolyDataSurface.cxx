@@ -32,7 +32,7 @@ MeshPartition PolyDataSurface::partitionWithBarriers(
   std::vector<Id>& globalIds, const Job& job) const
 {
   std::vector<Triangle> triangles;
-  for (Id i = 0; i < this->numberOfTriangles; ++i)
+  for (Id i = 0; i < this->numberOfParts; ++i)
   {
     if (!this->isCopy(i))
     {
@@ -64,15 +64,15 @@ void PolyDataSurface::useCellsOf(const std::vector<PolyDataBlock>& inputs)
   }
 }
 
-std::uint64_t PolyDataSurface::countTrianglesOfAllRanks() const
+std::uint64_t PolyDataSurface::countPartsOfAllRanks() const
 {
   const auto copies = std::count(this->roles.begin(), this->roles.end(), TriangleRole::Copy);
-  return sumOverRanks(this->exchange(), this->numberOfTriangles - static_cast<Id>(copies)).all;
+  return sumOverRanks(this->exchange(), this->numberOfParts - static_cast<Id>(copies)).all;
 }
 
-Triangle PolyDataSurface::triangle(Id triangle) const
+Triangle pointsOfTriangle(const std::vector<SurfaceBlock>& blocks, Id triangle)
 {
-  const SurfaceBlock& block = this->blocks[this->blockOf(triangle, &SurfaceBlock::firstTriangle)];
+  const SurfaceBlock& block = blocks[blockOf(blocks, triangle, &SurfaceBlock::firstTriangle)];
   vtkIdType size = 0;
   const vtkIdType* points = nullptr;
   block.triangles->GetCellAtId(triangle - block.firstTriangle, size, points);
@@ -81,11 +81,11 @@ Triangle PolyDataSurface::triangle(Id triangle) const
 }
 
 // Empty blocks begin where the next one does: the last of those that begin there is meant.
-std::size_t PolyDataSurface::blockOf(Id item, Id SurfaceBlock::*first) const
+std::size_t blockOf(const std::vector<SurfaceBlock>& blocks, Id item, Id SurfaceBlock::*first)
 {
-  const auto next = std::upper_bound(this->blocks.begin(), this->blocks.end(), item,
+  const auto next = std::upper_bound(blocks.begin(), blocks.end(), item,
     [first](Id id, const SurfaceBlock& block) { return id < block.*first; });
-  return static_cast<std::size_t>(next - this->blocks.begin()) - 1;
+  return static_cast<std::size_t>(next - blocks.begin()) - 1;
 }
 
 std::string PolyDataSurface::nameOfCell(Id triangle, const std::vector<PolyDataBlock>& inputs) const

@@ -13,8 +13,10 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +46,13 @@ struct SurfaceBlock
   }
 };
 
+/// The block that a point or a triangle belongs to, by its number.
+///
+/// \param first &SurfaceBlock::firstPoint or &SurfaceBlock::firstTriangle.
+std::size_t blockOf(const std::vector<SurfaceBlock>& blocks, Id item, Id SurfaceBlock::*first);
+/// The input's points at a triangle's corners.
+Triangle pointsOfTriangle(const std::vector<SurfaceBlock>& blocks, Id triangle);
+
 /// Says which vertex each point of all blocks is. If each point is a vertex of its own with the
 /// same number, there is no table.
 class VertexOfPoint
@@ -55,6 +64,19 @@ public:
     return { (*this)(points[0]), (*this)(points[1]), (*this)(points[2]) };
   }
   bool isIdentity() const { return this->table_.empty(); }
+
+  /// Adds points behind all others.
+  ///
+  /// \param numberOfPoints that there are.
+  void append(Id numberOfPoints, const std::vector<Id>& vertices)
+  {
+    if (this->table_.empty() && !vertices.empty())
+    {
+      this->table_.resize(numberOfPoints);
+      std::iota(this->table_.begin(), this->table_.end(), Id(0));
+    }
+    this->table_.insert(this->table_.end(), vertices.begin(), vertices.end());
+  }
 
   /// \param numbers the new number of each vertex; empty if none changes.
   void renumber(std::vector<Id> numbers)
@@ -78,7 +100,7 @@ private:
   std::vector<Id> table_;
 };
 
-/// What a triangle of a surface is.
+/// What a triangle of a surface, or a part of it, is.
 enum class TriangleRole : std::uint8_t
 {
   /// A face that paths may enter: one of the input faces of the mesh.
@@ -86,7 +108,18 @@ enum class TriangleRole : std::uint8_t
   /// A face that they may not enter: one of the input faces of BarrierFaces.
   Barrier,
   /// Marked as a duplicate, by a ghost array, of another triangle that is here: no face.
-  Copy
+  Copy,
+  /// Without area, on edges of faces: no face.
+  Segment
+};
+
+/// A point that triangles are cut at, where the block has none of its own: between two of its
+/// points.
+struct CutPoint
+{
+  std::array<Id, 2> parents;
+  /// The fraction of the way from the first to the second.
+  double weight;
 };
 
 /// A vertex of a rank's points, as all ranks know it.
@@ -107,6 +140,11 @@ struct SurfaceReport
   vtkIdType droppedLineCells = 0;
   /// Faces with two corners at one point, before or after merging; left out.
   vtkIdType facesWithRepeatedPoint = 0;
+  /// Polygons whose outline crosses itself, so that their triangles overlap. The first one's block
+  /// and cell are known in one process only.
+  vtkIdType crossingOutlines = 0;
+  std::size_t blockOfFirstCrossing = 0;
+  vtkIdType cellOfFirstCrossing = -1;
   /// Vertices on the boundary of the surface, its blocks or ranks' pieces that were joined with
   /// others within the precision of coordinates or the user's tolerance.
   vtkIdType joinedSeamPoints = 0;
@@ -116,6 +154,15 @@ struct SurfaceReport
   double crackWidth = 0.0;
   /// The edges of the mesh.
   vtkIdType edges = 0;
+
+  void addCrossingOutline(std::size_t block, vtkIdType cell)
+  {
+    if (this->crossingOutlines++ == 0)
+    {
+      this->blockOfFirstCrossing = block;
+      this->cellOfFirstCrossing = cell;
+    }
+  }
 };
 
 /// What this rank has of a surface of one or more vtkPolyData as the engine takes it, and the way
@@ -124,6 +171,10 @@ struct SurfaceReport
 ///
 /// Barriers are triangles of the surface, and outputs have all of them, but they are not faces of
 /// the mesh: see BarrierFaces.
+///
+/// The mesh has no faces without area: triangles beside them are cut into parts
+/// (removeFacesWithoutArea). Parts are numbered through all blocks, too, and are the triangles
+/// themselves on nearly all surfaces.
 struct PolyDataSurface
 {
   /// The mesh of the faces that paths may enter, the open triangles of all blocks, with the halo.
@@ -139,14 +190,19 @@ struct PolyDataSurface
   VertexOfPoint vertexOf;
   std::vector<SurfaceBlock> blocks;
   Id numberOfPoints = 0;
-  /// The triangles that the output has if it is not refined. Of those on the same vertices the mesh
-  /// has one: triangleOf() tells which.
-  Id numberOfTriangles = 0;
-  /// The role of each triangle; empty if all are open.
+  /// The corners of each part, and the triangle that it was cut from, ascending; empty if the parts
+  /// are the triangles that the output has if it is not refined.
+  std::vector<Triangle> corners;
+  std::vector<Id> triangles;
+  /// Of parts on the same vertices the mesh has one: partOf() tells which.
+  Id numberOfParts = 0;
+  /// The points of parts behind those of the input.
+  std::vector<CutPoint> cutPoints;
+  /// The role of each part; empty if all are open.
   std::vector<TriangleRole> roles;
-  /// The triangles that are open, unless all are, and those that are barriers.
-  std::vector<Id> openTriangles;
-  std::vector<Id> barrierTriangles;
+  /// The parts that are open, unless all are, and those that are barriers.
+  std::vector<Id> openParts;
+  std::vector<Id> barrierParts;
   /// What the mesh, and all that is computed on it, is larger by than the input.
   PowerOfTwoScale scale;
   /// Around the points that triangles use, on the mesh; of the whole surface.
@@ -190,36 +246,44 @@ struct PolyDataSurface
   ///        have.
   MeshPartition partitionWithBarriers(std::vector<Id>& globalIds, const Job& job) const;
 
-  /// How many triangles are surface, on all ranks, which call this together. The others are copies
-  /// by ghost arrays.
-  std::uint64_t countTrianglesOfAllRanks() const;
-  bool isCopy(Id triangle) const
+  /// How many parts are surface, on all ranks, which call this together. The others are copies by
+  /// ghost arrays.
+  std::uint64_t countPartsOfAllRanks() const;
+  bool isCopy(Id part) const
   {
-    return !this->roles.empty() && this->roles[triangle] == TriangleRole::Copy;
+    return !this->roles.empty() && this->roles[part] == TriangleRole::Copy;
   }
-  /// The input's points at a triangle's corners.
-  Triangle triangle(Id triangle) const;
-  /// The vertices at a triangle's corners.
-  Triangle verticesAt(Id triangle) const { return this->vertexOf(this->triangle(triangle)); }
-  /// The triangle that a face of the mesh came from, which this rank owns.
-  Id triangleOf(Id face) const
+  /// The points at a part's corners.
+  Triangle cornersOf(Id part) const
+  {
+    return this->corners.empty() ? pointsOfTriangle(this->blocks, part) : this->corners[part];
+  }
+  /// The vertices at a part's corners.
+  Triangle verticesAt(Id part) const { return this->vertexOf(this->cornersOf(part)); }
+  Id triangleOfPart(Id part) const
+  {
+    return this->triangles.empty() ? part : this->triangles[part];
+  }
+  /// The part that a face of the mesh came from, which this rank owns; and its triangle.
+  Id partOf(Id face) const
   {
     const Id open = this->partition.triangleOf(face);
-    return this->openTriangles.empty() ? open : this->openTriangles[open];
+    return this->openParts.empty() ? open : this->openParts[open];
   }
+  Id triangleOf(Id face) const { return this->triangleOfPart(this->partOf(face)); }
   /// The triangle that a face of the barriers came from, which this rank owns.
   Id triangleOfBarrier(Id face) const
   {
-    return this->barrierTriangles[this->barriers->surface().triangleOf(face)];
+    return this->triangleOfPart(this->barrierParts[this->barriers->surface().triangleOf(face)]);
   }
   /// "cell 17 of the surface (input port 0)"
   ///
   /// \param inputs the blocks that the surface was read from.
   std::string nameOfCell(Id triangle, const std::vector<PolyDataBlock>& inputs) const;
-  /// The block that a point or a triangle belongs to, by its number.
-  ///
-  /// \param first &SurfaceBlock::firstPoint or &SurfaceBlock::firstTriangle.
-  std::size_t blockOf(Id item, Id SurfaceBlock::*first) const;
+  std::size_t blockOf(Id item, Id SurfaceBlock::*first) const
+  {
+    return geodesic::blockOf(this->blocks, item, first);
+  }
 };
 
 /// Numbers the vertices that triangles use, in their order, and changes the corners to these

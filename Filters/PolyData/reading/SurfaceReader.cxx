@@ -5,6 +5,7 @@
 #include "PolyData/ranks/RankSeams.h"
 #include "PolyData/reading/Cracks.h"
 #include "PolyData/reading/SeamMerger.h"
+#include "PolyData/reading/SurfaceParts.h"
 #include "PolyData/reading/SurfaceReaderOnRanks.h"
 #include "PolyData/reading/TriangleReader.h"
 #include "PolyData/reading/TriangleRoles.h"
@@ -58,10 +59,13 @@ std::vector<Id> firstAtPlaces(const std::vector<Vec3>& points, const Job& job)
       {
         for (const Id point : byHash.at(key))
         {
+          // Places that are not finite are no places; their hashes are often equal.
           const auto isThere = [&](Id other)
           { return other == point || (first[other] == other && points[other] == points[point]); };
           const IdRange candidates = byHash.at(key);
-          first[point] = *std::find_if(candidates.begin(), candidates.end(), isThere);
+          first[point] = isFinite(points[point])
+            ? *std::find_if(candidates.begin(), candidates.end(), isThere)
+            : point;
         }
       }
     });
@@ -82,8 +86,8 @@ struct Faces
   std::vector<Triangle> open;
   std::vector<Triangle> barriers;
   /// See PolyDataSurface.
-  std::vector<Id> openTriangles;
-  std::vector<Id> barrierTriangles;
+  std::vector<Id> openParts;
+  std::vector<Id> barrierParts;
 };
 
 /// The faces that all blocks have, which may be none.
@@ -149,10 +153,11 @@ struct SurfaceReader
   const Job& job;
   std::vector<SurfaceBlock> blocks{};
   Id numberOfPoints = 0;
+  /// Whether a point has a coordinate that is NaN or infinite.
+  bool isAnyNotFinite = false;
   PieceVertices vertices{};
   TriangleList triangles{};
-  /// The role of each triangle; empty if all are open.
-  std::vector<TriangleRole> roles{};
+  SurfaceParts parts{};
   PowerOfTwoScale scale{};
   /// Around the triangles; and the largest coordinate of the triangles of all ranks. Both are on
   /// the mesh's scale.
@@ -176,6 +181,7 @@ struct SurfaceReader
     }
     this->triangles = readTriangles(this->inputs, this->vertices.of, numberOfFaces,
       this->job.part(PointsMerged, TrianglesRead), this->blocks, this->report);
+    this->requireFiniteCorners();
     if (this->isTrueOnAll(this->triangles.corners.empty()))
     {
       const bool isAlone = this->exchange.numberOfRanks() == 1;
@@ -194,11 +200,11 @@ struct SurfaceReader
       this->joinSeams(std::move(precisions));
     }
     joining.reach(1.0);
-    this->roles = findRoles(
+    std::vector<TriangleRole> roles = findRoles(
       this->inputs, this->vertices.labels, this->vertices.of, this->triangles, this->exchange);
     keepTriangles(this->inputs, this->triangles, this->blocks);
-    const auto numberOfTriangles = static_cast<Id>(this->triangles.corners.size());
-    return this->makeSurface(this->takeFaces(), numberOfTriangles);
+    this->makeParts(std::move(roles));
+    return this->makeSurface(this->takeFaces());
   }
 
   bool isTrueOnAll(bool condition) const { return !this->exchange.isTrueAnywhere(!condition); }
@@ -223,13 +229,12 @@ struct SurfaceReader
     this->vertices.positions.resize(this->numberOfPoints);
   }
 
-  /// \throws MeshError if a coordinate is not finite.
   void readPoints(const Job& stretch)
   {
     std::vector<Vec3>& positions = this->vertices.positions;
     const auto readRange = [&](std::size_t begin, std::size_t end)
     {
-      std::size_t bad = NoId;
+      int areFinite = 1;
       for (std::size_t block = 0; block < this->blocks.size(); ++block)
       {
         vtkPoints* points = this->inputs[block].data->GetPoints();
@@ -238,16 +243,35 @@ struct SurfaceReader
         for (std::size_t i = std::max(begin, first); i < last; ++i)
         {
           points->GetPoint(static_cast<vtkIdType>(i - first), positions[i].data());
-          bad = isFinite(positions[i]) ? bad : std::min(bad, block);
+          areFinite = isFinite(positions[i]) ? areFinite : 0;
         }
       }
-      return bad;
+      return areFinite;
     };
-    const std::vector<std::size_t> bad = stretch.resultsOfRanges(positions.size(), readRange);
-    const auto first = std::min_element(bad.begin(), bad.end());
-    if (first != bad.end() && *first < this->blocks.size())
+    const std::vector<int> areFinite = stretch.resultsOfRanges(positions.size(), readRange);
+    this->isAnyNotFinite = std::find(areFinite.begin(), areFinite.end(), 0) != areFinite.end();
+  }
+
+  /// Other points may be anywhere: depth images and scans mark what they have not seen by NaN.
+  ///
+  /// \throws MeshError if the corner of a triangle is not finite.
+  void requireFiniteCorners() const
+  {
+    for (std::size_t i = 0; this->isAnyNotFinite && i < this->blocks.size(); ++i)
     {
-      throw MeshError(whereNotFinite(this->inputs[*first]));
+      std::vector<char> isUsed(this->blocks[i].numberOfPoints, 0);
+      for (std::size_t t = this->triangles.firstOfBlock[i]; t < this->triangles.firstOfBlock[i + 1];
+           ++t)
+      {
+        for (const Id point : this->triangles.corners[t])
+        {
+          isUsed[point - this->blocks[i].firstPoint] = 1;
+        }
+      }
+      if (const std::string bad = whereNotFinite(this->inputs[i], isUsed.data()); !bad.empty())
+      {
+        throw MeshError(bad);
+      }
     }
   }
 
@@ -264,7 +288,7 @@ struct SurfaceReader
   }
 
   /// Brings the vertices to a size that the engine can compute with. Points that no triangle uses
-  /// may be anywhere; they only stay finite.
+  /// may be anywhere; they only become finite.
   void scaleVertices()
   {
     const std::vector<Triangle>& corners = this->triangles.corners;
@@ -272,14 +296,14 @@ struct SurfaceReader
     const double largest =
       this->exchange.largestOf(corners.empty() ? 0.0 : this->box.largestCoordinate());
     this->scale = requireScale(largest);
-    if (!this->scale.isOne())
+    if (!this->scale.isOne() || this->isAnyNotFinite)
     {
       this->box = { this->scale.toEngine(this->box.low), this->scale.toEngine(this->box.high) };
       for (Vec3& p : this->vertices.positions)
       {
         for (double& x : p)
         {
-          x = std::clamp(this->scale.toEngine(x), -DBL_MAX, DBL_MAX);
+          x = std::isnan(x) ? DBL_MAX : std::clamp(this->scale.toEngine(x), -DBL_MAX, DBL_MAX);
         }
       }
     }
@@ -298,7 +322,7 @@ struct SurfaceReader
     const bool areSingle = precisions.empty() ||
       *std::min_element(precisions.begin(), precisions.end()) == FLT_EPSILON ||
       std::all_of(this->vertices.positions.begin(), this->vertices.positions.end(),
-        [](const Vec3& p) { return p == roundedToSingle(p); });
+        [](const Vec3& p) { return !isFinite(p) || p == roundedToSingle(p); });
     if (this->isTrueOnAll(areSingle))
     {
       std::fill(precisions.begin(), precisions.end(), FLT_EPSILON);
@@ -346,6 +370,26 @@ struct SurfaceReader
     this->box = this->boxOf(this->triangles.corners, this->vertices.of);
   }
 
+  /// From here on the triangles are parts, on vertices.
+  void makeParts(std::vector<TriangleRole> roles)
+  {
+    std::vector<Triangle>& corners = this->triangles.corners;
+    const auto toVertices = [&]
+    {
+      this->job.part(TrianglesRead, TrianglesRead)
+        .loop(this->vertices.of.isIdentity() ? 0 : corners.size(),
+          [&](std::size_t i) { corners[i] = this->vertices.of(corners[i]); });
+    };
+    toVertices();
+    this->parts = cutTriangles(corners, std::move(roles), this->blocks, this->numberOfPoints,
+      this->vertices, this->exchange, this->job.part(SeamsJoined, SeamsJoined));
+    if (!this->parts.corners.empty())
+    {
+      corners = this->parts.corners;
+      toVertices();
+    }
+  }
+
   /// Takes the faces, in the memory of the triangles.
   Faces takeFaces()
   {
@@ -353,23 +397,21 @@ struct SurfaceReader
     faces.open = std::move(this->triangles.corners);
     this->triangles = {};
     std::vector<Triangle>& open = faces.open;
-    this->job.part(TrianglesRead, TrianglesRead)
-      .loop(this->vertices.of.isIdentity() ? 0 : open.size(),
-        [&](std::size_t i) { open[i] = this->vertices.of(open[i]); });
-    for (Id i = 0; i < this->roles.size(); ++i)
+    const std::vector<TriangleRole>& roles = this->parts.roles;
+    for (Id i = 0; i < roles.size(); ++i)
     {
-      if (this->roles[i] == TriangleRole::Open)
+      if (roles[i] == TriangleRole::Open)
       {
-        open[faces.openTriangles.size()] = open[i];
-        faces.openTriangles.push_back(i);
+        open[faces.openParts.size()] = open[i];
+        faces.openParts.push_back(i);
       }
-      else if (this->roles[i] == TriangleRole::Barrier)
+      else if (roles[i] == TriangleRole::Barrier)
       {
         faces.barriers.push_back(open[i]);
-        faces.barrierTriangles.push_back(i);
+        faces.barrierParts.push_back(i);
       }
     }
-    open.resize(this->roles.empty() ? open.size() : faces.openTriangles.size());
+    open.resize(roles.empty() ? open.size() : faces.openParts.size());
     return faces;
   }
 
@@ -378,7 +420,7 @@ struct SurfaceReader
   Box boxOf(const Faces& faces) const
   {
     Box whole = this->box;
-    if (!this->roles.empty())
+    if (!this->parts.roles.empty())
     {
       whole = this->boxOf(faces.open, {});
       whole.add(this->boxOf(faces.barriers, {}));
@@ -387,8 +429,11 @@ struct SurfaceReader
   }
 
   /// Makes the meshes of the open faces and of the barriers.
-  PolyDataSurface makeSurface(Faces faces, Id numberOfTriangles)
+  PolyDataSurface makeSurface(Faces faces)
   {
+    const auto numberOfParts = this->parts.roles.empty()
+      ? static_cast<Id>(faces.open.size())
+      : static_cast<Id>(this->parts.roles.size());
     const Box whole = this->boxOf(faces);
     const double diagonal = norm(whole.high - whole.low);
     const std::size_t count = this->vertices.positions.size();
@@ -430,10 +475,13 @@ struct SurfaceReader
     surface.vertexOf = std::move(this->vertices.of);
     surface.blocks = std::move(this->blocks);
     surface.numberOfPoints = this->numberOfPoints;
-    surface.numberOfTriangles = numberOfTriangles;
-    surface.roles = std::move(this->roles);
-    surface.openTriangles = std::move(faces.openTriangles);
-    surface.barrierTriangles = std::move(faces.barrierTriangles);
+    surface.corners = std::move(this->parts.corners);
+    surface.triangles = std::move(this->parts.triangles);
+    surface.cutPoints = std::move(this->parts.cutPoints);
+    surface.numberOfParts = numberOfParts;
+    surface.roles = std::move(this->parts.roles);
+    surface.openParts = std::move(faces.openParts);
+    surface.barrierParts = std::move(faces.barrierParts);
     surface.scale = this->scale;
     surface.box = whole;
     surface.diagonal = diagonal;

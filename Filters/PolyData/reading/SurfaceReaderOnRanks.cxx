@@ -125,6 +125,7 @@ SurfaceReport reportOfRanks(SurfaceReport own, const MeshPartition& partition)
     all.droppedVertexCells += report.droppedVertexCells;
     all.droppedLineCells += report.droppedLineCells;
     all.facesWithRepeatedPoint += report.facesWithRepeatedPoint;
+    all.crossingOutlines += report.crossingOutlines;
     all.joinedSeamPoints += report.joinedSeamPoints;
     all.crackEdges += report.crackEdges;
     all.crackWidth = std::max(all.crackWidth, report.crackWidth);

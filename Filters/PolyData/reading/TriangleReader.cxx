@@ -2,13 +2,11 @@
 #include "PolyData/reading/TriangleReader.h"
 
 #include "PolyData/Memory.h"
+#include "mesh/PolygonTriangles.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkPolygon.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -37,26 +35,11 @@ vtkUnsignedCharArray* ghostArray(const PolyDataBlock& block)
   return std::any_of(begin, begin + cells, isMarked) ? flags : nullptr;
 }
 
-/// Gives three of the polygon's own numbers of points for each triangle. The function has another
-/// name since some day after VTK 9.3.0, which no version number tells: the compiler knows if there
-/// is one.
-template <class Polygon>
-auto triangulate(Polygon* polygon, vtkIdList* ears, int)
-  -> decltype(polygon->TriangulateLocalIds(0, ears))
-{
-  return polygon->TriangulateLocalIds(0, ears);
-}
-
-template <class Polygon>
-auto triangulate(Polygon* polygon, vtkIdList* ears, long) -> decltype(polygon->Triangulate(ears))
-{
-  return polygon->Triangulate(ears);
-}
-
 /// Collects the triangles of one block's cells.
 struct TriangleBlockReader
 {
   const PolyDataBlock& block;
+  const std::size_t indexOfBlock;
   /// The number of the block's point 0 among those of all blocks.
   const Id firstPoint;
   const VertexOfPoint& vertexOf;
@@ -69,8 +52,8 @@ struct TriangleBlockReader
   bool hasOtherCells = false;
   /// The vertices of the current polygon, without repetitions.
   std::vector<vtkIdType> outline{};
-  vtkNew<vtkPolygon> polygon{};
-  vtkNew<vtkIdList> ears{};
+  /// Where they are.
+  std::vector<Vec3> places{};
 
   /// \param cellsRead of numberOfFaces, so far.
   /// \returns whether all cells are triangles of the input.
@@ -196,7 +179,7 @@ struct TriangleBlockReader
       this->leaveOut();
       return;
     }
-    this->cutEars();
+    this->cutOutline();
   }
 
   void addStrip(vtkIdType size, const vtkIdType* ids)
@@ -217,6 +200,10 @@ struct TriangleBlockReader
       this->leaveOut();
       return;
     }
+    this->add(points);
+  }
+  void add(const Triangle& points)
+  {
     this->triangles.corners.push_back(points);
     this->triangles.cells.push_back(this->inputCell());
     this->triangles.isDuplicate.push_back(this->isMarked(Duplicate));
@@ -224,28 +211,31 @@ struct TriangleBlockReader
 
   void leaveOut() { this->report.facesWithRepeatedPoint += this->isMarked(Duplicate) ? 0 : 1; }
 
-  void cutEars()
+  void cutOutline()
   {
-    const auto size = static_cast<vtkIdType>(this->outline.size());
-    this->polygon->Initialize(
-      static_cast<int>(size), this->outline.data(), this->block.data->GetPoints());
-    triangulate(this->polygon.Get(), this->ears.Get(), 0);
-    if (this->ears->GetNumberOfIds() != 3 * (size - 2))
+    this->places.resize(this->outline.size());
+    for (std::size_t i = 0; i < this->outline.size(); ++i)
     {
-      // No area or an outline that crosses itself: any triangles conduct.
-      this->ears->Reset();
-      for (vtkIdType i = 1; i + 1 < size; ++i)
+      this->block.data->GetPoint(this->outline[i], this->places[i].data());
+    }
+    const PolygonTriangles cut = triangulatePolygon(this->places);
+    const std::size_t before = this->triangles.corners.size();
+    for (const Triangle& t : cut.triangles)
+    {
+      const Triangle points =
+        this->pointsOf(this->outline[t[0]], this->outline[t[1]], this->outline[t[2]]);
+      if (hasThreeVertices(this->vertexOf(points)))
       {
-        this->ears->InsertNextId(0);
-        this->ears->InsertNextId(i);
-        this->ears->InsertNextId(i + 1);
+        this->add(points);
       }
     }
-    const auto corner = [this](vtkIdType i)
-    { return this->outline[static_cast<std::size_t>(this->ears->GetId(i))]; };
-    for (vtkIdType i = 0; i < 3 * (size - 2); i += 3)
+    if (this->triangles.corners.size() == before)
     {
-      this->addTriangle(corner(i), corner(i + 1), corner(i + 2));
+      this->leaveOut();
+    }
+    else if (cut.crossesItself && !this->isMarked(Duplicate))
+    {
+      this->report.addCrossingOutline(this->indexOfBlock, this->inputCell());
     }
   }
 };
@@ -263,7 +253,7 @@ TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const Verte
   {
     triangles.firstOfBlock.push_back(triangles.corners.size());
     blocks[i].firstTriangle = static_cast<Id>(triangles.corners.size());
-    TriangleBlockReader reader{ inputs[i], blocks[i].firstPoint, vertexOf, triangles, report };
+    TriangleBlockReader reader{ inputs[i], i, blocks[i].firstPoint, vertexOf, triangles, report };
     blocks[i].areInputCells = reader.read(job, numberOfFaces, cellsRead);
   }
   triangles.firstOfBlock.push_back(triangles.corners.size());

@@ -6,7 +6,6 @@
 #include "PolyData/ranks/BorrowedValues.h"
 #include "PolyData/writing/UnmeshedTriangles.h"
 #include "Trigonometry.h"
-#include "field/Gradients.h"
 #include "refinement/RefinedOnRanks.h"
 #include "source/CurvesOnPatch.h"
 
@@ -188,7 +187,6 @@ ValuesAtPoints collect(const SourceArrays& arrays, NearestSource& nearest, std::
 {
   ValuesAtPoints values;
   forEachKind(arrays.choice, [&](auto kind) { (values.*kind).reserve(count); });
-  Gradients gradients(computed, values.gradients);
   for (std::size_t i = 0; i < count; ++i)
   {
     job.reachItem(i, count);
@@ -199,12 +197,8 @@ ValuesAtPoints collect(const SourceArrays& arrays, NearestSource& nearest, std::
     }
     if (arrays.choice.gradients)
     {
-      gradients.add(segment);
+      values.gradients.push_back(gradientOf(computed.mesh(), segment));
     }
-  }
-  if (arrays.choice.gradients)
-  {
-    gradients.finish();
   }
   return values;
 }

@@ -2,6 +2,7 @@
 #include "PolyData/writing/UnmeshedTriangles.h"
 
 #include "PolyData/writing/GlobalFaces.h"
+#include "mesh/FacesWithoutArea.h"
 #include "refinement/RefinedOnRanks.h"
 
 #include <algorithm>
@@ -42,10 +43,10 @@ struct RefinedTemplate
 /// The points on the edges of a triangle, on edge k from corner k to corner k + 1.
 using EdgeSplits = std::array<std::vector<Id>, 3>;
 
-/// A triangle of this rank that is not a face of the mesh, and what it has to look like.
+/// A part of this rank that is not a face of the mesh, and what it has to look like.
 struct UnmeshedTriangle
 {
-  Id triangle;
+  Id part;
   /// Global numbers of its vertices.
   Triangle vertices;
   /// The template on its vertices; NoId if no face is there.
@@ -56,7 +57,7 @@ struct UnmeshedTriangle
   EdgeSplits splits{};
 };
 
-/// The triangles of this rank that are not faces, in their order, and their templates.
+/// The parts of this rank that are not faces, in their order, and their templates.
 struct UnmeshedTriangles
 {
   std::vector<UnmeshedTriangle> triangles;
@@ -70,14 +71,14 @@ struct UnmeshedTriangles
   }
 };
 
-/// For each triangle the face that is made of it; NoId if none here is.
-std::vector<Id> facesOfTriangles(const PolyDataSurface& surface)
+/// For each part the face that is made of it; NoId if none here is.
+std::vector<Id> facesOfParts(const PolyDataSurface& surface)
 {
-  std::vector<Id> faces(surface.numberOfTriangles, NoId);
+  std::vector<Id> faces(surface.numberOfParts, NoId);
   const MeshPartition& partition = surface.partition;
   for (Id face = partition.firstOwnFace(); face < partition.endOfOwnFaces(); ++face)
   {
-    faces[surface.triangleOf(face)] = face;
+    faces[surface.partOf(face)] = face;
   }
   return faces;
 }
@@ -98,7 +99,7 @@ void findTemplates(
   std::vector<Triangle> wanted;
   for (const UnmeshedTriangle& triangle : unmeshed.triangles)
   {
-    wanted.push_back(surface.verticesAt(triangle.triangle));
+    wanted.push_back(surface.verticesAt(triangle.part));
   }
   const std::vector<GlobalFace> onVertices = faces.find(wanted);
   std::vector<Triangle> edges;
@@ -127,13 +128,13 @@ void findTemplates(
 }
 
 UnmeshedTriangles findUnmeshedTriangles(const PolyDataSurface& surface, const GlobalFaces& faces,
-  const std::vector<Id>& faceOfTriangle, const std::vector<Triangle>& cornerPoints,
+  const std::vector<Id>& faceOfPart, const std::vector<Triangle>& cornerPoints,
   const RefinedMesh& refined)
 {
   UnmeshedTriangles unmeshed;
-  for (Id i = 0; i < faceOfTriangle.size(); ++i)
+  for (Id i = 0; i < faceOfPart.size(); ++i)
   {
-    if (faceOfTriangle[i] == NoId)
+    if (faceOfPart[i] == NoId)
     {
       unmeshed.triangles.push_back({ i, {} });
     }
@@ -165,50 +166,6 @@ UnmeshedTriangles findUnmeshedTriangles(const PolyDataSurface& surface, const Gl
   return unmeshed;
 }
 
-/// Adds the parts of a triangle that is cut by the points on its edges without any further points,
-/// in its orientation. Triangles at one place with points at the same places have the same parts,
-/// in whatever order their corners are.
-///
-/// \param position where any of these points lies: (Id) -> Vec3.
-template <typename Position>
-void cutAtEdges(const Triangle& corners, const EdgeSplits& splits, const Position& position,
-  std::vector<Triangle>& parts)
-{
-  // The longest edge with splits, for the shapes. Of equally long ones it is the one whose opposite
-  // corner is last, whatever the order of the corners.
-  std::size_t k = 3;
-  std::pair<double, Vec3> order;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    if (!splits[i].empty())
-    {
-      const double length = norm(position(corners[(i + 1) % 3]) - position(corners[i]));
-      const std::pair<double, Vec3> own(length, position(corners[(i + 2) % 3]));
-      if (k == 3 || own > order)
-      {
-        k = i;
-        order = own;
-      }
-    }
-  }
-  if (k == 3)
-  {
-    parts.push_back(corners);
-    return;
-  }
-  const std::size_t next = (k + 1) % 3;
-  const std::size_t previous = (k + 2) % 3;
-  // The middle one from either end.
-  const std::size_t count = splits[k].size();
-  const bool isForward = position(corners[k]) < position(corners[next]);
-  const auto at =
-    splits[k].begin() + static_cast<std::ptrdiff_t>(isForward ? (count - 1) / 2 : count / 2);
-  cutAtEdges({ corners[k], *at, corners[previous] },
-    { std::vector<Id>(splits[k].begin(), at), {}, splits[previous] }, position, parts);
-  cutAtEdges({ *at, corners[next], corners[previous] },
-    { std::vector<Id>(at + 1, splits[k].end()), splits[next], {} }, position, parts);
-}
-
 /// Gives triangles the parts of their templates, with points of their own.
 struct TemplateCopier
 {
@@ -233,7 +190,7 @@ struct TemplateCopier
     }
     else if (isWhole || this->unmeshed.numberOfParts(triangle) <= 1)
     {
-      triangles.push_back(this->surface.triangle(triangle.triangle));
+      triangles.push_back(this->surface.cornersOf(triangle.part));
     }
     else
     {
@@ -246,7 +203,7 @@ struct TemplateCopier
   {
     this->like = &this->unmeshed.templates[number];
     this->numbers.assign(3 + this->like->parts.points.size(), NoId);
-    const Triangle points = this->surface.triangle(triangle.triangle);
+    const Triangle points = this->surface.cornersOf(triangle.part);
     for (std::size_t k = 0; k < 3; ++k)
     {
       const Id corner = cornerAt(this->like->face.vertices, triangle.vertices[k]);
@@ -296,7 +253,7 @@ struct TemplateCopier
   /// Cuts a triangle as the faces at its edges are.
   void addCut(const UnmeshedTriangle& triangle, std::vector<Triangle>& triangles)
   {
-    const Triangle points = this->surface.triangle(triangle.triangle);
+    const Triangle points = this->surface.cornersOf(triangle.part);
     const Triangle vertices = this->surface.vertexOf(points);
     const auto positionOf = [&](Id point)
     {
@@ -333,7 +290,7 @@ bool areTooMany(const PolyDataSurface& surface, const UnmeshedTriangles& unmeshe
   std::uint64_t total = refined.triangles.size();
   for (const UnmeshedTriangle& triangle : unmeshed.triangles)
   {
-    total += surface.isCopy(triangle.triangle) ? 0 : unmeshed.numberOfParts(triangle);
+    total += surface.isCopy(triangle.part) ? 0 : unmeshed.numberOfParts(triangle);
   }
   return sumOverRanks(surface.exchange(), total).all > maximumFaces && maximumFaces > 0;
 }
@@ -350,9 +307,9 @@ std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface)
   }
   const GlobalFaces faces(surface);
   std::vector<Triangle> edges;
-  for (const Id triangle : surface.barrierTriangles)
+  for (const Id part : surface.barrierParts)
   {
-    faces.forEachEdgeWithFaces(surface.verticesAt(triangle),
+    faces.forEachEdgeWithFaces(surface.verticesAt(part),
       [&edges](std::size_t, const Triangle& edge) { edges.push_back(edge); });
   }
   const std::vector<GlobalFace> found = faces.find(edges);
@@ -372,12 +329,36 @@ std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface)
   return count;
 }
 
+namespace
+{
+
+/// Counts the surface's cut points among the points of refinement: the first of these.
+void takeCutPoints(
+  const PolyDataSurface& surface, const std::vector<double>& vertexDistances, RefinedMesh& refined)
+{
+  std::vector<RefinedPoint> points;
+  for (std::size_t i = 0; i < surface.cutPoints.size(); ++i)
+  {
+    const Id vertex = surface.vertexOf(surface.numberOfPoints + static_cast<Id>(i));
+    const bool isInMesh = vertex < surface.mesh().numberOfVertices();
+    points.push_back({ surface.cutPoints[i].parents, surface.cutPoints[i].weight,
+      SurfacePoint::atVertex(vertex), isInMesh ? surface.mesh().point(vertex) : Vec3(),
+      isInMesh ? vertexDistances[vertex] : Infinity });
+  }
+  points.insert(points.end(), refined.points.begin(), refined.points.end());
+  refined.points = std::move(points);
+  refined.numberOfInputPoints = surface.numberOfPoints;
+}
+
+} // anonymous namespace
+
 RefinedSurface addUnmeshedTriangles(const PolyDataSurface& surface, std::uint64_t maximumFaces,
-  const std::vector<Triangle>& cornerPoints, RefinedMesh refined)
+  const std::vector<Triangle>& cornerPoints, const std::vector<double>& vertexDistances,
+  RefinedMesh refined)
 {
   const MeshPartition& partition = surface.partition;
   const Id ownFaces = partition.endOfOwnFaces() - partition.firstOwnFace();
-  if (!surface.exchange().isTrueAnywhere(surface.numberOfTriangles != ownFaces))
+  if (!surface.exchange().isTrueAnywhere(surface.numberOfParts != ownFaces))
   {
     for (Id& face : refined.faces)
     {
@@ -385,27 +366,28 @@ RefinedSurface addUnmeshedTriangles(const PolyDataSurface& surface, std::uint64_
     }
     return { std::move(refined), {} };
   }
+  takeCutPoints(surface, vertexDistances, refined);
   const GlobalFaces faces(surface);
-  const std::vector<Id> faceOfTriangle = facesOfTriangles(surface);
+  const std::vector<Id> faceOfPart = facesOfParts(surface);
   const UnmeshedTriangles unmeshed =
-    findUnmeshedTriangles(surface, faces, faceOfTriangle, cornerPoints, refined);
+    findUnmeshedTriangles(surface, faces, faceOfPart, cornerPoints, refined);
   const bool stayWhole = areTooMany(surface, unmeshed, refined, maximumFaces);
   TemplateCopier copier{ surface, faces, unmeshed, refined };
   std::vector<Triangle> triangles;
   std::vector<Id> parents;
   std::size_t part = 0;
   auto next = unmeshed.triangles.begin();
-  for (Id i = 0; i < faceOfTriangle.size(); ++i)
+  for (Id i = 0; i < faceOfPart.size(); ++i)
   {
-    if (faceOfTriangle[i] == NoId)
+    if (faceOfPart[i] == NoId)
     {
       copier.add(*next++, stayWhole && !surface.isCopy(i), triangles);
     }
-    for (; part < refined.faces.size() && refined.faces[part] == faceOfTriangle[i]; ++part)
+    for (; part < refined.faces.size() && refined.faces[part] == faceOfPart[i]; ++part)
     {
       triangles.push_back(refined.triangles[part]);
     }
-    parents.resize(triangles.size(), i);
+    parents.resize(triangles.size(), surface.triangleOfPart(i));
   }
   refined.triangles = std::move(triangles);
   refined.faces = std::move(parents);

@@ -38,15 +38,17 @@ std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface);
 /// If all ranks together would have more than maximumFaces triangles (0: no limit), they stay
 /// whole. Copies by ghost arrays do not count, and always look like their originals.
 ///
-/// Barriers are cut where refinement has split their rims, and are whole elsewhere. No other points
-/// are added to a barrier: it has no distances inside.
+/// Barriers and segments are cut where refinement has split edges of faces there, and are whole
+/// elsewhere. No other points are added to them: they have no distances inside.
 ///
 /// All ranks call this together.
 ///
 /// \param cornerPoints those of the refinement.
+/// \param vertexDistances of the mesh's vertices, for the surface's cut points.
 /// \param refined what refinement made.
 RefinedSurface addUnmeshedTriangles(const PolyDataSurface& surface, std::uint64_t maximumFaces,
-  const std::vector<Triangle>& cornerPoints, RefinedMesh refined);
+  const std::vector<Triangle>& cornerPoints, const std::vector<double>& vertexDistances,
+  RefinedMesh refined);
 
 }
 

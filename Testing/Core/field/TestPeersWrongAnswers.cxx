@@ -34,8 +34,17 @@ geodesic::SourceCurve vertexSource(Index vertex)
 
 std::vector<double> vertexDistances(const PlainMesh& mesh, Index source)
 {
-  const geodesic::TriangleMesh engine = engineMesh(mesh);
-  return geodesic::solve(engine, { vertexSource(source) }).vertexDistances();
+  const CleanedMesh cleaned = withoutFlatFaces(mesh);
+  const geodesic::TriangleMesh engine = engineMesh(cleaned.mesh);
+  const std::vector<double> distances =
+    geodesic::solve(engine, { vertexSource(cleaned.vertexOf[source]) }).vertexDistances();
+  std::vector<double> ofPoints;
+  for (const Index vertex : cleaned.vertexOf)
+  {
+    ofPoints.push_back(distances[vertex]);
+  }
+  ofPoints.resize(mesh.points.size());
+  return ofPoints;
 }
 
 /// Straight lines in space, for meshes that lie flat and convex.
@@ -236,8 +245,7 @@ TEST(PeersWrongAnswers, AnEdgeWithoutLengthConducts)
   PlainMesh mesh = regularGrid(8, 8);
   mesh.points[4 * 9 + 4] = mesh.points[4 * 9 + 5];
   mesh.points[2 * 9 + 2] = mesh.points[3 * 9 + 3];
-  const geodesic::TriangleMesh engine = engineMesh(mesh);
-  EXPECT_EQ(facesWithoutArea(engine), 4u);
+  EXPECT_EQ(facesWithoutArea(mesh), 4u);
   for (Index source : { 0u, 40u, 41u, 80u, 20u })
   {
     expectNear(vertexDistances(mesh, source), straightDistances(mesh, source),
@@ -266,7 +274,7 @@ TEST(PeersWrongAnswers, FacesWithoutAreaConduct)
     mesh.triangles.push_back({ a, middle, upper[2] });
     mesh.triangles.push_back({ middle, c, upper[2] });
   }
-  EXPECT_EQ(facesWithoutArea(engineMesh(mesh)), 36u);
+  EXPECT_EQ(facesWithoutArea(mesh), 36u);
   for (Index source : { 0u, 24u, 48u, 55u, 60u })
   {
     expectNear(vertexDistances(mesh, source), straightDistances(mesh, source),

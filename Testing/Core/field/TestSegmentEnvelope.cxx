@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The distance in a face as the least of its candidates, and along its segments as windows.
 #include "EngineSupport.h"
+#include "Seeds.h"
 #include "truth/RandomMeshKinds.h"
 
 #include "Errors.h"
@@ -219,6 +220,72 @@ TEST_P(SegmentEnvelopes, AreTheDistanceAlongAnySegmentOfAnyFace)
     worst = std::max(worst, error);
   }
   std::cout << "worst relative error on " << GetParam().name << ": " << worst << "\n";
+}
+
+namespace
+{
+
+/// Compares the envelopes along all edges of a mesh of a kind with the distance in the faces.
+void expectDistanceAlongAllEdges(const MeshKind& kind, std::uint64_t seed)
+{
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  const PlainMesh mesh = kind.make(randomSize(random), random);
+  CurveMaker maker(mesh, random);
+  const geodesic::TriangleMesh engine = engineMesh(mesh);
+  const geodesic::DistanceField field =
+    solveKeepingAll(engine, engineCurves(engine, maker.anySource()));
+  const double largest = largestFinite(field.vertexDistances());
+  SegmentEnvelope envelope;
+  for (geodesic::Id id = 0; id < engine.numberOfFaces(); ++id)
+  {
+    if (std::isinf(field.vertexDistances()[engine.triangle(id)[0]]))
+    {
+      continue;
+    }
+    const FaceDistance face(field, id);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      std::array<Barycentric, 2> ends{};
+      ends[0][k] = 1.0;
+      ends[1][(k + 1) % 3] = 1.0;
+      const geodesic::Vec2 p = face.inPlane(ends[0]);
+      const geodesic::Vec2 q = face.inPlane(ends[1]);
+      const Along along{ id, ends, norm(q - p), envelope.along(face, p, q) };
+      if (along.length > 0.0)
+      {
+        expectLeastOfCandidates(along, face, SegmentAccuracy * largest);
+      }
+    }
+  }
+}
+
+}
+
+TEST_P(SegmentEnvelopes, AreTheDistanceAlongAllEdges)
+{
+  const Seeds seeds = seedsOfTest(meshesOfAKind(12));
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    expectDistanceAlongAllEdges(GetParam(), seed);
+  }
+}
+
+// A point of a curve on an edge sends rays into the whole face, from an end of its window: rounding
+// would give the ray there any direction.
+TEST(SegmentEnvelope, IsTheDistanceWhereAPointOfACurveLiesOnAnEdge)
+{
+  int found = 0;
+  for (const MeshKind& kind : meshKinds())
+  {
+    const std::string name = kind.name;
+    if (name == "Octasphere" || name == "Tetrahedron")
+    {
+      expectDistanceAlongAllEdges(kind, 1002);
+      ++found;
+    }
+  }
+  EXPECT_EQ(found, 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, SegmentEnvelopes, ::testing::ValuesIn(meshKinds()),

@@ -173,12 +173,4 @@ TEST(SaddleWedge, IsNotFoundAcrossAnEdgeOfThreeFaces)
   EXPECT_FALSE(findSaddleWedge(mesh, 0, { 1, {}, 0.5 }, halfedges));
 }
 
-TEST(SaddleWedge, IsNotFoundThroughFacesWithoutArea)
-{
-  const std::vector<Vec3> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 } };
-  const TriangleMesh mesh(points, { { 0, 1, 2 }, { 0, 2, 3 } });
-  std::vector<EmittedInterval> halfedges;
-  EXPECT_FALSE(findSaddleWedge(mesh, 0, { 1, {}, 0.5 }, halfedges));
-}
-
 }

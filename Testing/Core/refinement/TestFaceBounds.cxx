@@ -187,7 +187,6 @@ TEST(FaceBounds, HoldInAFaceWithoutArea)
 {
   const TriangleMesh mesh =
     engineMesh({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 0, 0 } }, { { 0, 1, 2 } } });
-  ASSERT_EQ(mesh.shape(0).area2, 0.0);
   const Corners d = { 0.5, 0.5, 0.0 };
   EXPECT_GE(geodesic::boundsOfFace(mesh, 0, d, {}, 10.0).below, 0.5);
   EXPECT_GE(geodesic::boundsFromBands(mesh, 0, d, { true, true, true }, 0.1).below, 0.5);

@@ -421,7 +421,7 @@ TEST(SourceWindows, ASourceOnTheLongEdgeOfAFaceWithoutAreaShinesThroughIt)
   // Vertex 2 lies on the edge between 0 and 1 of a face that has no area.
   const PlainMesh plain = { { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 }, { 1.2, -1, 0 }, { 1, 1, 0 } },
     { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 2, 4 }, { 2, 1, 4 } } };
-  const TriangleMesh mesh = engineMesh(plain);
+  const TriangleMesh mesh = geodesictest::cleanedEngineMesh(plain);
   SourceCurve point;
   point.points = { SurfacePoint::atVertex(2) };
   point.isCut = { 0 };

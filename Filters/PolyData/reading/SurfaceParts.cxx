@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/reading/SurfaceParts.h"
+
+#include "mesh/FacesWithoutArea.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace geodesic
+{
+
+namespace
+{
+
+using Label = RankLabels::Label;
+
+/// Where a place is nearest to a triangle's outline.
+struct OnOutline
+{
+  /// From this corner to the next.
+  std::size_t edge = 0;
+  double fraction = 0.0;
+};
+
+OnOutline nearestOnOutline(const std::array<Vec3, 3>& corners, const Vec3& place)
+{
+  OnOutline nearest;
+  double least = Infinity;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vec3 along = corners[(k + 1) % 3] - corners[k];
+    const double fraction =
+      std::clamp(dot(place - corners[k], along) / dot(along, along), 0.0, 1.0);
+    const double distance = norm(place - (corners[k] + fraction * along));
+    if (distance < least)
+    {
+      least = distance;
+      nearest = { k, fraction };
+    }
+  }
+  return nearest;
+}
+
+/// Gives the corners of parts points.
+class PartCorners
+{
+public:
+  PartCorners(const std::vector<Triangle>& triangles, const std::vector<Id>& same,
+    const std::vector<SurfaceBlock>& blocks, Id numberOfPoints, const std::vector<Vec3>& places)
+    : triangles_(triangles)
+    , same_(same)
+    , blocks_(blocks)
+    , numberOfPoints_(numberOfPoints)
+    , places_(places)
+  {
+  }
+
+  /// Makes a triangle's own points known to its block, for the parts of other triangles.
+  void addOwnPoints(Id triangle)
+  {
+    const Triangle points = pointsOfTriangle(this->blocks_, triangle);
+    const Triangle vertices = this->verticesOf(triangle);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      this->pointAt_.emplace(std::pair(this->blockOf(triangle), vertices[k]), points[k]);
+    }
+  }
+
+  Triangle pointsOf(const Triangle& part, Id triangle)
+  {
+    const Triangle vertices = this->verticesOf(triangle);
+    Triangle points = pointsOfTriangle(this->blocks_, triangle);
+    if (part != vertices)
+    {
+      const Triangle own = points;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        points[k] = this->pointOf(part[k], triangle, vertices, own);
+      }
+    }
+    return points;
+  }
+
+  std::vector<CutPoint> cutPoints;
+  /// The vertex of each of these.
+  std::vector<Id> cutVertices;
+
+private:
+  std::size_t blockOf(Id triangle) const
+  {
+    return geodesic::blockOf(this->blocks_, triangle, &SurfaceBlock::firstTriangle);
+  }
+
+  Triangle verticesOf(Id triangle) const
+  {
+    const Triangle& t = this->triangles_[triangle];
+    return { this->same_[t[0]], this->same_[t[1]], this->same_[t[2]] };
+  }
+
+  Id pointOf(Id vertex, Id triangle, const Triangle& own, const Triangle& points)
+  {
+    const auto corner = std::find(own.begin(), own.end(), vertex) - own.begin();
+    if (corner < 3)
+    {
+      return points[static_cast<std::size_t>(corner)];
+    }
+    const auto known = this->pointAt_.find({ this->blockOf(triangle), vertex });
+    return known != this->pointAt_.end() ? known->second : this->cutPointOf(vertex, own, points);
+  }
+
+  /// The point at a vertex on an edge of a triangle, which its neighbor at the edge has, too.
+  Id cutPointOf(Id vertex, const Triangle& own, const Triangle& points)
+  {
+    const auto [k, fraction] =
+      nearestOnOutline({ this->places_[own[0]], this->places_[own[1]], this->places_[own[2]] },
+        this->places_[vertex]);
+    std::array<Id, 2> parents = { points[k], points[(k + 1) % 3] };
+    double weight = fraction;
+    if (parents[1] < parents[0])
+    {
+      std::swap(parents[0], parents[1]);
+      weight = 1.0 - fraction;
+    }
+    const auto next = this->numberOfPoints_ + static_cast<Id>(this->cutPoints.size());
+    const auto [found, isNew] =
+      this->cuts_.emplace(std::tuple(parents[0], parents[1], vertex), next);
+    if (isNew)
+    {
+      this->cutPoints.push_back({ parents, weight });
+      this->cutVertices.push_back(vertex);
+    }
+    return found->second;
+  }
+
+  const std::vector<Triangle>& triangles_;
+  const std::vector<Id>& same_;
+  const std::vector<SurfaceBlock>& blocks_;
+  Id numberOfPoints_;
+  const std::vector<Vec3>& places_;
+  std::map<std::pair<std::size_t, Id>, Id> pointAt_;
+  std::map<std::tuple<Id, Id, Id>, Id> cuts_;
+};
+
+/// What faces without area leave, on vertices.
+CutTriangles removeFlatFaces(const std::vector<Triangle>& triangles,
+  const std::vector<TriangleRole>& roles, Id numberOfPoints, PieceVertices& vertices,
+  Exchange& exchange, const Job& job)
+{
+  std::vector<std::uint8_t> areOpen;
+  for (const TriangleRole role : roles)
+  {
+    areOpen.push_back(role == TriangleRole::Open ? 1 : 0);
+  }
+  std::vector<Label> keys;
+  Label firstNewKey = vertices.positions.size();
+  if (exchange.numberOfRanks() > 1)
+  {
+    for (Id vertex = 0; vertex < vertices.positions.size(); ++vertex)
+    {
+      keys.push_back(vertices.labels.of(vertex));
+    }
+    // Labels of the first rank that no vertex has.
+    firstNewKey = static_cast<Label>(exchange.largestOf(static_cast<double>(numberOfPoints)));
+  }
+  CutTriangles cut = removeFacesWithoutArea(
+    vertices.positions, keys, firstNewKey, triangles, areOpen, exchange, job);
+  std::vector<Label>& labels = vertices.labels.labels;
+  for (std::size_t vertex = 0; vertex < keys.size(); ++vertex)
+  {
+    if (vertex == labels.size() || (labels[vertex] & ~RankLabels::Shared) != keys[vertex])
+    {
+      labels.resize(std::max(labels.size(), vertex + 1));
+      labels[vertex] = keys[vertex] | RankLabels::Shared;
+    }
+  }
+  return cut;
+}
+
+} // anonymous namespace
+
+SurfaceParts cutTriangles(const std::vector<Triangle>& triangles, std::vector<TriangleRole> roles,
+  const std::vector<SurfaceBlock>& blocks, Id numberOfPoints, PieceVertices& vertices,
+  Exchange& exchange, const Job& job)
+{
+  SurfaceParts parts;
+  const CutTriangles cut =
+    removeFlatFaces(triangles, roles, numberOfPoints, vertices, exchange, job);
+  if (cut.isEmpty())
+  {
+    parts.roles = std::move(roles);
+    return parts;
+  }
+  PartCorners corners(triangles, cut.same, blocks, numberOfPoints, vertices.positions);
+  const auto roleOf = [&](std::size_t i)
+  { return roles.empty() ? TriangleRole::Open : roles[cut.triangles[i]]; };
+  for (std::size_t i = 0; i < cut.parts.size(); ++i)
+  {
+    if (roleOf(i) == TriangleRole::Open && !cut.areFaces[i])
+    {
+      corners.addOwnPoints(cut.triangles[i]);
+    }
+  }
+  for (std::size_t i = 0; i < cut.parts.size(); ++i)
+  {
+    const TriangleRole role = roleOf(i);
+    const bool isSegment = role == TriangleRole::Open && !cut.areFaces[i];
+    parts.roles.push_back(isSegment ? TriangleRole::Segment : role);
+    parts.corners.push_back(corners.pointsOf(cut.parts[i], cut.triangles[i]));
+  }
+  parts.triangles = cut.triangles;
+  parts.cutPoints = std::move(corners.cutPoints);
+  vertices.of.append(numberOfPoints, corners.cutVertices);
+  if (!vertices.labels.labels.empty())
+  {
+    // Vertices at which triangles of other ranks may be cut, too.
+    for (const Triangle& part : cut.parts)
+    {
+      for (const Id vertex : part)
+      {
+        vertices.labels.labels[vertex] |= RankLabels::Shared;
+      }
+    }
+  }
+  vertices.join(cut.same);
+  return parts;
+}
+
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Faces without area: distances are those of the surface without them, outputs keep the input's
+// cells, and refined seams of blocks beside them fit.
+#include "GeodesicTesting.h"
+
+#include "vtkGeodesicDistanceMatrix.h"
+#include "vtkGeodesicPaths.h"
+#include "vtkIdTypeArray.h"
+#include "vtkTable.h"
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> Surface(
+  const std::vector<Point>& points, const std::vector<std::array<vtkIdType, 3>>& triangles)
+{
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> places;
+  places->SetDataTypeToDouble();
+  for (const Point& p : points)
+  {
+    places->InsertNextPoint(p.data());
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const auto& t : triangles)
+  {
+    cells->InsertNextCell({ t[0], t[1], t[2] });
+  }
+  surface->SetPoints(places);
+  surface->SetPolys(cells);
+  return surface;
+}
+
+/// The last face lies on a line: point 5 is in the middle of the edge from 2 to 3. A shortest path
+/// bends there and crosses the face.
+vtkSmartPointer<vtkPolyData> Folded()
+{
+  return Surface({ { 0, 12, 0 }, { 0, 16, 0 }, { 4, 12, 2 }, { 4, 16, 2 }, { 8, 12, 2 },
+                   { 4, 14, 2 }, { 16.0 / 3.0, 14, 3 } },
+    { { 0, 2, 3 }, { 0, 3, 1 }, { 3, 5, 6 }, { 5, 4, 6 }, { 2, 5, 3 } });
+}
+
+void CheckMatrixAndPaths(Check& check)
+{
+  const double truth = std::sqrt(20.0) + std::sqrt(24.0);
+  vtkNew<vtkGeodesicDistanceMatrix> matrix;
+  matrix->SetInputData(Folded());
+  matrix->SetSourceData(PointSources({ { 8, 12, 2 }, { 0, 16, 0 } }));
+  matrix->Update();
+  for (vtkIdType row = 0; row < 2; ++row)
+  {
+    const double distance =
+      matrix->GetOutput()->GetValueByName(row, row == 0 ? "Source1" : "Source0").ToDouble();
+    check.That(std::abs(distance - truth) <= 1e-13, "matrix: there and back");
+  }
+  vtkNew<vtkGeodesicPaths> paths;
+  paths->SetInputData(Folded());
+  paths->SetSourceData(PointSources({ { 8, 12, 2 } }));
+  paths->SetTargetsData(PointSources({ { 0, 16, 0 } }));
+  paths->GenerateFaceIdsOn();
+  paths->Update();
+  vtkPolyData* path = paths->GetOutput();
+  double length = 0.0;
+  for (vtkIdType i = 1; i < path->GetNumberOfPoints(); ++i)
+  {
+    Point a;
+    Point b;
+    path->GetPoint(i - 1, a.data());
+    path->GetPoint(i, b.data());
+    length += std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), b.data()));
+  }
+  check.That(std::abs(length - truth) <= 1e-13, "path: its length");
+  vtkDataArray* faces = path->GetPointData()->GetArray("FaceId");
+  for (vtkIdType i = 0; i < path->GetNumberOfPoints(); ++i)
+  {
+    check.That(faces->GetTuple1(i) < 4, "path: goes through faces with area");
+  }
+}
+
+void CheckUnrefinedCells(Check& check)
+{
+  const vtkSmartPointer<vtkPolyData> surface = Folded();
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(surface);
+  filter->SetSourceData(PointSources({ { 8, 12, 2 } }));
+  filter->RefineMeshOff();
+  filter->Update();
+  check.That(filter->GetOutput()->GetPolys() == surface->GetPolys(),
+    "unrefined: the cells are the input's own");
+}
+
+/// A square with a point on its diagonal, which only the upper half has, and a flat cell between.
+/// In blocks the halves are apart, and the flat cell is the upper one's.
+const std::vector<Point> Corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
+  { 0.25, 0.25, 0 } };
+
+void CheckRefined(
+  Check& check, const std::vector<vtkSmartPointer<vtkPolyData>>& blocks, const std::string& name)
+{
+  vtkNew<vtkMultiBlockDataSet> surface;
+  for (unsigned int i = 0; i < blocks.size(); ++i)
+  {
+    surface->SetBlock(i, blocks[i]);
+  }
+  const Point source = { 0.7, 0.2, 0 };
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputDataObject(0, surface);
+  filter->SetSourceData(PointSources({ source }));
+  filter->SetRefinementTolerance(0.002);
+  filter->GenerateSourceIdsOn();
+  filter->GenerateGradientsOn();
+  filter->Update();
+  std::set<Point> onDiagonal[2];
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  for (unsigned int i = 0; i < blocks.size(); ++i)
+  {
+    auto* block = vtkPolyData::SafeDownCast(output->GetBlock(i));
+    vtkDataArray* distances = block->GetPointData()->GetArray("GeodesicDistance");
+    vtkDataArray* gradients = block->GetPointData()->GetArray("DistanceGradient");
+    vtkDataArray* cells = block->GetCellData()->GetArray("OriginalCellIds");
+    check.Equal(block->GetPointData()->GetArray("SourceId")->GetRange()[0], 0.0, name + ": ids");
+    std::set<vtkIdType> original;
+    for (vtkIdType cell = 0; cell < block->GetNumberOfCells(); ++cell)
+    {
+      original.insert(static_cast<vtkIdType>(cells->GetTuple1(cell)));
+    }
+    check.Equal(static_cast<double>(original.size()),
+      static_cast<double>(blocks[i]->GetNumberOfCells()), name + ": every cell is there");
+    for (vtkIdType point = 0; point < block->GetNumberOfPoints(); ++point)
+    {
+      Point p;
+      block->GetPoint(point, p.data());
+      const double truth = std::hypot(p[0] - source[0], p[1] - source[1]);
+      check.That(std::abs(distances->GetTuple1(point) - truth) < 1e-14, name + ": the distance");
+      const double error =
+        std::hypot(gradients->GetComponent(point, 0) - (p[0] - source[0]) / truth,
+          gradients->GetComponent(point, 1) - (p[1] - source[1]) / truth);
+      check.That(truth == 0.0 || error < 1e-7, name + ": the gradient");
+      if (p[0] == p[1])
+      {
+        onDiagonal[i].insert(p);
+      }
+    }
+  }
+  check.That(onDiagonal[0].size() > 5, name + ": the diagonal is refined");
+  check.That(blocks.size() == 1 || onDiagonal[0] == onDiagonal[1], name + ": both sides fit");
+}
+
+void CheckRefinedSurfaces(Check& check)
+{
+  CheckRefined(check, { Surface(Corners, { { 0, 1, 2 }, { 0, 2, 4 }, { 0, 4, 3 }, { 4, 2, 3 } }) },
+    "one block");
+  CheckRefined(check,
+    { Surface(Corners, { { 0, 1, 2 } }),
+      Surface(Corners, { { 0, 2, 4 }, { 0, 4, 3 }, { 4, 2, 3 } }) },
+    "two blocks");
+}
+
+} // anonymous namespace
+
+int TestGeodesicFlatFaces(int, char*[])
+{
+  Check check;
+  CheckMatrixAndPaths(check);
+  CheckUnrefinedCells(check);
+  CheckRefinedSurfaces(check);
+  return check.Result();
+}
