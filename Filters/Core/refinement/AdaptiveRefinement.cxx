@@ -3,17 +3,17 @@
 
 #include "Errors.h"
 #include "Tolerance.h"
-#include "refinement/DeviationRules.h"
 #include "refinement/FaceBounds.h"
-#include "refinement/LeafClosings.h"
-#include "refinement/RedGreenClosure.h"
 #include "refinement/RefinementOutput.h"
-#include "refinement/ViolationQueue.h"
+#include "refinement/SplitsOfEdges.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
+#include <utility>
 
 namespace geodesic
 {
@@ -47,119 +47,191 @@ std::vector<std::uint8_t> findFrozen(const DistanceField& field, const Job& job)
   return frozen;
 }
 
-/// The regions in which the points of a mesh under refinement lie; each is found once. No splits
-/// that may be taken back are pending then, so that points keep their numbers.
+/// The regions in which the points of faces under refinement lie; each is found once.
 class RegionsOfPoints
 {
 public:
-  RegionsOfPoints(const RedGreenMesh& triangles, const DistancesInFaces& distances,
-    const RefinementOptions& options)
-    : triangles_(triangles)
-    , distances_(distances)
+  RegionsOfPoints(const RefinedFaces& faces, const RefinementOptions& options, double tolerance)
+    : faces_(faces)
     , options_(options)
+    , tolerance_(tolerance)
   {
   }
 
-  /// The longest edge of a triangle in a face that must be split, as there is a border between its
-  /// corners; else 0.
+  /// The longest side of a triangle in an open face that must be split, as there is a border between
+  /// its corners; else 0.
+  double lengthAtBorder(const FaceTriangles& face, const Triangle& c)
+  {
+    std::array<Corner, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const FaceTriangles::Point& point = face.points()[c[k]];
+      corners[k] = { point.number == NoId ? this->ofInside(face, c[k]) : this->of(point.number),
+        point.distance, point.place };
+    }
+    return this->lengthAtBorder(corners);
+  }
+  /// The same for a face that is not open, or a triangle between points of its edges.
   double lengthAtBorder(Id face, const Triangle& c)
   {
-    if (!this->options_.regionOf ||
-      !(this->isBorderBetween(face, c[0], c[1]) || this->isBorderBetween(face, c[1], c[2]) ||
-        this->isBorderBetween(face, c[2], c[0])))
+    const TriangleMesh& mesh = this->faces_.field.mesh();
+    const Id frame = longestHalfedge(mesh, face);
+    std::array<Corner, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      return 0.0;
+      const Id point = c[k];
+      corners[k] = { this->of(point),
+        this->faces_.edges.isVertex(point) ? this->faces_.field.vertexDistances()[point]
+                                           : this->faces_.edges.point(point).distance,
+        inHalfedgeFrame(mesh, frame, this->placeOf(point)) };
     }
-    const double longest = longestEdge({ this->triangles_.inPlane(c[0], face),
-      this->triangles_.inPlane(c[1], face), this->triangles_.inPlane(c[2], face) });
-    return longest > this->options_.tolerance ? longest : 0.0;
+    return this->lengthAtBorder(corners);
   }
 
 private:
-  bool isBorderBetween(Id face, Id a, Id b)
+  struct Corner
   {
-    const SourceRegion ofA = this->of(a);
-    const SourceRegion ofB = this->of(b);
-    if (ofA.source != ofB.source)
+    SourceRegion region;
+    double distance = 0.0;
+    Vec2 place;
+  };
+
+  double lengthAtBorder(const std::array<Corner, 3>& c) const
+  {
+    if (!(isBorderBetween(c[0], c[1]) || isBorderBetween(c[1], c[2]) || isBorderBetween(c[2], c[0])))
+    {
+      return 0.0;
+    }
+    const double longest = longestEdge({ c[0].place, c[1].place, c[2].place });
+    return longest > this->tolerance_ ? longest : 0.0;
+  }
+
+  static bool isBorderBetween(const Corner& a, const Corner& b)
+  {
+    if (a.region.source != b.region.source)
     {
       return true;
     }
-    if (ofA.isRight == ofB.isRight)
+    if (a.region.isRight == b.region.isRight)
     {
       return false;
     }
     // Where a straight line crosses the curve between its sides, there is no border. Both ends are
     // then nearer to the crossing than to each other.
-    const double length =
-      norm(this->triangles_.inPlane(b, face) - this->triangles_.inPlane(a, face));
-    return this->distances_.atPoint(a) + this->distances_.atPoint(b) >
-      (1.0 + tolerance::Tie) * length;
+    return a.distance + b.distance > (1.0 + tolerance::Tie) * norm(b.place - a.place);
   }
 
-  SourceRegion of(Id point)
+  SurfacePoint placeOf(Id point) const
+  {
+    if (this->faces_.edges.isVertex(point))
+    {
+      return SurfacePoint::atVertex(point);
+    }
+    const PointOnEdge& on = this->faces_.edges.point(point);
+    return SurfacePoint::onEdge(this->faces_.edges[on.edge].halfedge, on.at);
+  }
+
+  const SourceRegion& of(Id point)
   {
     if (point >= this->regions_.size())
     {
-      this->regions_.resize(this->numberOfPoints());
+      this->regions_.resize(
+        this->faces_.field.mesh().numberOfVertices() + this->faces_.edges.points().size());
     }
     std::optional<SourceRegion>& region = this->regions_[point];
     if (!region)
     {
-      region = this->options_.regionOf(this->triangles_.place(point));
+      region = this->options_.regionOf(this->placeOf(point));
     }
     return *region;
   }
 
-  std::size_t numberOfPoints() const
+  const SourceRegion& ofInside(const FaceTriangles& face, Id point)
   {
-    return this->triangles_.numberOfInputPoints() + this->triangles_.points().size();
+    std::vector<std::optional<SourceRegion>>& regions = this->inside_[face.face()];
+    regions.resize(std::max<std::size_t>(regions.size(), point + 1));
+    if (!regions[point])
+    {
+      const Barycentric& weights = face.points()[point].weights;
+      regions[point] =
+        this->options_.regionOf(SurfacePoint::inFace(face.face(), weights[1], weights[2]));
+    }
+    return *regions[point];
   }
 
-  const RedGreenMesh& triangles_;
-  const DistancesInFaces& distances_;
+  const RefinedFaces& faces_;
   const RefinementOptions& options_;
+  double tolerance_;
+  /// Of vertices and points on edges; and for each face, of its own points.
   std::vector<std::optional<SourceRegion>> regions_;
+  std::unordered_map<Id, std::vector<std::optional<SourceRegion>>> inside_;
 };
 
-/// Refines the worst leaf until none is over the tolerance.
-///
-/// The ranks that share the surface refine a batch of leaves, each its own; exchange splits of
-/// seams until no rank needs another; and then assess all changed leaves: whether there is room for
-/// the batch, and which leaves are over the tolerance now. In one process a batch is one leaf.
+/// What does not change while a field is refined to one tolerance after another.
+struct Task
+{
+  const DistanceField& field;
+  const RefinementOptions& options;
+  /// Faces that this rank does not refine, and those that no rank refines.
+  std::vector<std::uint8_t> isFrozen;
+  std::vector<std::uint8_t> isFrozenThere;
+
+  const MeshPartition& surface() const { return this->field.surface(); }
+};
+
+/// Refines a surface to a tolerance, in rounds. In a round faces with new points on their edges work,
+/// each by itself, and ask for more points on edges; then edges get those.
 class Refiner
 {
 public:
-  Refiner(const DistanceField& field, const RefinementOptions& options)
-    : field_(field)
-    , options_(options)
-    , triangles_(field.surface(), findFrozen(field, options.job), options.trianglesBeside)
-    , workers_(field, this->triangles_, options.tolerance, options.job)
-    , rules_(this->triangles_, this->workers_, options.tolerance)
-    , closure_(field.surface(), this->triangles_, this->rules_)
-    , closings_(this->triangles_, this->workers_, this->rules_, options.tolerance)
-    , violations_(this->triangles_, field.surface())
-    , regions_(this->triangles_, this->workers_.first().distances, options)
-    , bound_(field.surface().exchange().largestOf(field.droppedErrorBound()))
+  Refiner(const Task& task, double tolerance)
+    : task_(task)
+    , tolerance_(tolerance)
+    , faces_(task.field)
+    , splits_(task.field, faces_.edges, task.isFrozen, task.isFrozenThere, tolerance,
+        task.options.job)
+    , regions_(faces_, task.options, tolerance)
+    , numberOfTriangles_(task.surface().endOfOwnFaces() - task.surface().firstOwnFace())
+    , bound_(task.surface().exchange().largestOf(task.field.droppedErrorBound()))
   {
   }
 
-  RefinedMesh run()
+  /// \returns whether there is room for the result.
+  bool run()
   {
     this->assessFaces();
-    this->refineWorst();
-    // those left where refinement has stopped at its maximum
-    this->violations_.takeAll([this](const Violation& rest)
-      { this->raiseBound(this->closings_.tightBound(rest.triangle)); });
+    if (!this->refineFaces({}))
+    {
+      return false;
+    }
+    if (!this->task_.options.regionOf)
+    {
+      return true;
+    }
+    this->findBorders();
+    return this->refineFaces([this](const FaceTriangles& face, const Triangle& corners)
+      { return this->regions_.lengthAtBorder(face, corners); });
+  }
+
+  RefinedMesh result(const Job& job)
+  {
+    const RefinementOptions& options = this->task_.options;
+    const MeshPartition& surface = this->task_.surface();
+    const bool areVertices = options.cornerPoints.empty() && surface.mesh().numberOfFaces() > 0;
     const std::vector<Id> unknown = this->unknownAtBorders();
-    const bool areVertices =
-      this->options_.cornerPoints.empty() && this->field_.mesh().numberOfFaces() > 0;
-    RefinedMesh result = writeOutput(this->triangles_, this->options_,
-      areVertices ? this->field_.surface().numberOfOwnVertices() : this->options_.numberOfPoints,
-      this->options_.job.part(FacesSplit, 1.0));
-    result.errorBound = this->field_.surface().exchange().largestOf(this->bound_);
-    result.stoppedAtMaximum = this->stopped_;
+    RefinedMesh result = writeOutput(this->faces_, options,
+      areVertices ? surface.numberOfOwnVertices() : options.numberOfPoints, job);
+    result.errorBound = surface.exchange().largestOf(this->boundOfAll());
     result.unknownAtBorders = unknown;
     return result;
+  }
+
+  /// The share of the room beside the surface's own faces that is taken, after run().
+  double shareOfRoom() const
+  {
+    const auto own = static_cast<double>(this->task_.surface().numberOfGlobalFaces());
+    return (static_cast<double>(this->trianglesOfAll_) - own) /
+      (static_cast<double>(this->task_.options.maximumFaces) - own);
   }
 
 private:
@@ -168,11 +240,11 @@ private:
   void assessFaces()
   {
     constexpr Id facesInBatch = 2 * ItemsInRange;
-    const Id first = this->triangles_.firstFace();
-    const Id end = this->triangles_.endOfFaces();
+    const Id first = this->task_.surface().firstOwnFace();
+    const Id end = this->task_.surface().endOfOwnFaces();
     for (Id face = first; face < end; face += std::min(facesInBatch, end - face))
     {
-      this->options_.job.reach(FacesAssessed * (face - first) / (end - first));
+      this->task_.options.job.reach(FacesAssessed * (face - first) / (end - first));
       this->assessFaces(face, face + std::min(facesInBatch, end - face));
     }
   }
@@ -181,224 +253,309 @@ private:
   {
     const double known = this->bound_;
     std::vector<QuickError> errors(end - first);
-    this->workers_.run(errors.size(),
-      [&](RefinementWorker&, std::size_t i)
+    this->task_.options.job.part(0.0, 0.0).loop(errors.size(),
+      [&](std::size_t i)
       {
         const Id face = first + static_cast<Id>(i);
-        if (!this->triangles_.isFrozen(face))
+        if (this->task_.isFrozen[face] == 0)
         {
-          errors[i] = quickErrorOfFace(this->field_, face, this->options_.tolerance, known);
+          errors[i] = quickErrorOfFace(this->task_.field, face, this->tolerance_, known);
         }
       });
-    std::vector<Id> others;
-    for (Id face = first; face < end; ++face)
-    {
-      if (!this->triangles_.isFrozen(face) &&
-        (errors[face - first].byWindows == Infinity ||
-          this->regions_.lengthAtBorder(face, this->field_.mesh().triangle(face)) > 0.0))
-      {
-        others.push_back(face);
-      }
-    }
-    const std::vector<LeafClosings::Check> checks = this->closings_.findBest(others);
-    std::size_t next = 0;
     for (Id face = first; face < end; ++face)
     {
       const QuickError& error = errors[face - first];
-      if (next < others.size() && others[next] == face)
+      if (this->task_.isFrozen[face] != 0)
       {
-        this->take(face, checks[next++]);
+        continue;
       }
-      else if (!this->triangles_.isFrozen(face))
+      if (error.byWindows == Infinity)
       {
-        // smaller bounds than that of all faces need not be sharp
-        const double bound = error.bySize <= this->bound_ ? error.bySize : error.byWindows;
-        this->raiseBound(bound + error.rounding);
+        this->due_.push_back(face);
+        continue;
+      }
+      // Smaller bounds than that of all faces need not be sharp.
+      const double bound = error.bySize <= this->bound_ ? error.bySize : error.byWindows;
+      this->bound_ = std::max(this->bound_, bound + error.rounding);
+    }
+  }
+
+  void findBorders()
+  {
+    const MeshPartition& surface = this->task_.surface();
+    for (Id face = surface.firstOwnFace(); face < surface.endOfOwnFaces(); ++face)
+    {
+      if (this->task_.isFrozen[face] == 0 &&
+        (this->faces_.isOpen(face) ||
+          this->regions_.lengthAtBorder(face, surface.mesh().triangle(face)) > 0.0))
+      {
+        this->due_.push_back(face);
       }
     }
   }
 
-  /// Closes a leaf, and queues it if it is over the tolerance or at a border.
-  void take(Id leaf, const LeafClosings::Check& check)
+  /// \returns whether there is room for the result.
+  bool refineFaces(const LengthAtBorder& lengthAtBorder)
   {
-    this->triangles_.setWay(leaf, check.way);
-    if (!check.passed)
+    this->openDue();
+    std::vector<SplitRequest> requests = this->splits_.measureNew();
+    while (this->isAnythingLeft(requests))
     {
-      this->violations_.push(std::max(check.sample, check.limit), leaf, check.limit);
-      return;
+      this->takeChanged(this->splits_.split(std::move(requests)));
+      this->openDue();
+      this->splits_.measureNew(); // faces ask for what these need
+      requests = this->work(lengthAtBorder);
+      this->report(requests);
     }
-    this->raiseBound(check.bound);
-    if (!this->options_.regionOf)
+    return !this->isOverfull_;
+  }
+
+  void openDue()
+  {
+    std::sort(this->due_.begin(), this->due_.end());
+    this->due_.erase(std::unique(this->due_.begin(), this->due_.end()), this->due_.end());
+    for (const Id face : this->due_)
     {
-      return;
+      if (!this->faces_.isOpen(face))
+      {
+        this->faces_.open(face);
+      }
     }
-    double longest = 0.0;
-    this->triangles_.closeTriangle(leaf,
-      [&](Id face, const Triangle& corners)
-      { longest = std::max(longest, this->regions_.lengthAtBorder(face, corners)); });
-    if (longest > 0.0)
+  }
+
+  /// Whether some rank has faces or edges to refine, and all ranks have room.
+  bool isAnythingLeft(const std::vector<SplitRequest>& requests)
+  {
+    struct State
     {
-      // below the error of any leaf over the tolerance, and larger for larger triangles
-      const double tolerance = this->options_.tolerance;
-      this->violations_.push(0.5 * tolerance * longest / (longest + tolerance), leaf, Infinity);
+      std::uint64_t triangles;
+      std::uint32_t isAnyLeft;
+      std::uint32_t isAnyAdded;
+    };
+    const bool isAnyLeft = !requests.empty() || !this->due_.empty();
+    const MeshPartition& surface = this->task_.surface();
+    const bool isAnyAdded =
+      this->numberOfTriangles_ > surface.endOfOwnFaces() - surface.firstOwnFace();
+    this->trianglesOfAll_ = 0;
+    bool isAnyLeftOfAll = false;
+    bool isAnyAddedOfAll = false;
+    for (const State& state : valuesOfRanks(surface.exchange(),
+           State{ this->numberOfTriangles_, isAnyLeft ? 1U : 0U, isAnyAdded ? 1U : 0U }))
+    {
+      this->trianglesOfAll_ += state.triangles;
+      isAnyLeftOfAll = isAnyLeftOfAll || state.isAnyLeft != 0;
+      isAnyAddedOfAll = isAnyAddedOfAll || state.isAnyAdded != 0;
+      this->isOverfull_ = this->isOverfull_ || state.triangles > MostOfRank;
     }
+    const std::uint64_t maximum = this->task_.options.maximumFaces;
+    this->isOverfull_ = this->isOverfull_ ||
+      (maximum > 0 && this->trianglesOfAll_ > maximum && (isAnyLeftOfAll || isAnyAddedOfAll));
+    return isAnyLeftOfAll && !this->isOverfull_;
+  }
+
+  /// Edges have new points: the faces around them are due.
+  void takeChanged(const std::vector<Id>& edges)
+  {
+    this->pointsOn_.resize(this->faces_.edges.size(), 0);
+    for (const Id edge : edges)
+    {
+      const CutEdge& e = this->faces_.edges[edge];
+      const auto added = static_cast<Id>(e.points.size()) - this->pointsOn_[edge];
+      this->pointsOn_[edge] += added;
+      const auto beside = this->task_.options.trianglesBeside.find(e.halfedge);
+      Id triangles = beside == this->task_.options.trianglesBeside.end() ? 0 : beside->second;
+      forEachFace(this->task_.surface().mesh(), SurfacePoint::onEdge(e.halfedge, 0.5),
+        [&](Id face)
+        {
+          if (this->task_.isFrozen[face] == 0)
+          {
+            this->due_.push_back(face);
+          }
+          else
+          {
+            triangles += this->task_.surface().isOwn(face) ? 1 : 0;
+          }
+        });
+      this->numberOfTriangles_ += static_cast<std::uint64_t>(added) * triangles;
+    }
+  }
+
+  /// Refines the due faces, each by itself. \returns the points that they need on edges.
+  std::vector<SplitRequest> work(const LengthAtBorder& lengthAtBorder)
+  {
+    const std::vector<Id> due = std::exchange(this->due_, {});
+    std::vector<std::vector<SplitRequest>> requests(due.size());
+    std::vector<std::uint8_t> isDone(due.size());
+    const auto refine = [&](std::size_t task, std::size_t i)
+    {
+      FaceTriangles& face = this->faces_.triangles(due[i]);
+      isDone[i] = this->refiners_[task]->refine(
+                    face, this->mostPartsOf(due[i]), lengthAtBorder, requests[i])
+        ? 1
+        : 0;
+    };
+    for (const Id face : due)
+    {
+      this->numberOfTriangles_ -= this->faces_.triangles(face).numberOfParts();
+    }
+    if (lengthAtBorder) // asks for regions, which one thread may do
+    {
+      this->makeRefiners(1);
+      for (std::size_t i = 0; i < due.size(); ++i)
+      {
+        this->task_.options.job.look();
+        refine(0, i);
+      }
+    }
+    else
+    {
+      this->task_.options.job.loopByTasks(
+        due.size(), [this](std::size_t tasks) { this->makeRefiners(tasks); }, refine);
+    }
+    std::vector<SplitRequest> all;
+    for (std::size_t i = 0; i < due.size(); ++i)
+    {
+      this->numberOfTriangles_ += this->faces_.triangles(due[i]).numberOfParts();
+      all.insert(all.end(), requests[i].begin(), requests[i].end());
+      if (isDone[i] == 0)
+      {
+        this->due_.push_back(due[i]);
+      }
+    }
+    return all;
+  }
+
+  void makeRefiners(std::size_t count)
+  {
+    while (this->refiners_.size() < count)
+    {
+      this->refiners_.push_back(std::make_unique<FaceRefiner>(
+        this->task_.field, this->faces_.edges, this->tolerance_));
+    }
+  }
+
+  /// A limit that no face reaches: triangles as small as the tolerance pass, so that splits leave no
+  /// sides much shorter.
+  std::uint64_t mostPartsOf(Id face) const
+  {
+    const double across = this->task_.surface().mesh().shape(face).longest() / this->tolerance_;
+    const double most = 1000.0 + 100.0 * across * across;
+    const std::uint64_t room =
+      this->task_.options.maximumFaces > 0 ? this->task_.options.maximumFaces : MostOfRank;
+    return most < static_cast<double>(room) ? static_cast<std::uint64_t>(most) : room;
+  }
+
+  /// The errors fall from the initial worst to the tolerance, by about the same factor with each
+  /// round.
+  void report(const std::vector<SplitRequest>& requests)
+  {
+    double worst = this->tolerance_;
+    for (const SplitRequest& request : requests)
+    {
+      worst = std::max(worst, request.reason == SplitReason::Error ? request.urgency : 0.0);
+    }
+    this->worstAtFirst_ = std::max(this->worstAtFirst_, worst);
+    const double open = std::log(worst / this->tolerance_);
+    const double openAtFirst = std::log(this->worstAtFirst_ / this->tolerance_);
+    const double done = openAtFirst > 0.0 ? 1.0 - std::clamp(open / openAtFirst, 0.0, 1.0) : 0.0;
+    this->task_.options.job.part(FacesAssessed, FacesSplit).reach(done);
+  }
+
+  /// The bound of all triangles, those that are left over the tolerance included.
+  double boundOfAll()
+  {
+    this->makeRefiners(1);
+    double bound = this->bound_;
+    for (FaceTriangles& face : this->faces_.openFaces())
+    {
+      for (Id part = 0; part < face.numberOfParts(); ++part)
+      {
+        const FaceTriangles::Part& p = face.parts()[part];
+        bound = std::max(bound,
+          p.state == FaceTriangles::State::Passed ? p.bound
+                                                  : this->refiners_[0]->tightBound(face, part));
+      }
+    }
+    return bound;
   }
 
   std::vector<Id> unknownAtBorders()
   {
-    std::vector<Id> faces;
-    if (this->options_.regionOf)
+    std::vector<Id> unknown;
+    const MeshPartition& surface = this->task_.surface();
+    std::vector<Triangle> triangles;
+    for (Id face = surface.firstOwnFace();
+         this->task_.options.regionOf && face < surface.endOfOwnFaces(); ++face)
     {
-      this->triangles_.forEachTriangle(
-        [&](Id face, const Triangle& corners)
-        {
-          const bool isNew = faces.empty() || faces.back() != face;
-          if (isNew && this->field_.isDropped(face) &&
-            this->regions_.lengthAtBorder(face, corners) > 0.0)
-          {
-            faces.push_back(face);
-          }
-        });
-    }
-    return faces;
-  }
-
-  void refineWorst()
-  {
-    while (this->violations_.takeBatch())
-    {
-      this->worstAtFirst_ = std::max(this->worstAtFirst_, this->violations_.worst());
-      this->triangles_.begin();
-      if (!this->refineBatch())
+      if (!this->task_.field.isDropped(face))
       {
-        this->triangles_.rollBack();
-        this->workers_.forgetNewEdges();
-        this->closure_.forget();
-        if (!this->violations_.putBack())
-        {
-          this->stopped_ = true;
-          return;
-        }
         continue;
       }
-      const std::vector<Id> changed = this->closure_.takeChanged();
-      const std::vector<LeafClosings::Check> checks = this->closings_.findBest(changed);
-      for (std::size_t i = 0; i < changed.size(); ++i)
+      triangles.clear();
+      appendTriangles(this->faces_, face, {}, triangles);
+      if (std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& corners)
+            { return this->regions_.lengthAtBorder(face, corners) > 0.0; }))
       {
-        this->take(changed[i], checks[i]);
+        unknown.push_back(face);
       }
     }
+    return unknown;
   }
 
-  /// Returns whether there is room for the result.
-  bool refineBatch()
-  {
-    constexpr std::uint64_t numberable = NoId / 5; // ids are 3 * part + k, and parts have parts
-    const std::uint64_t maximum = this->options_.maximumFaces;
-    const std::uint64_t most = maximum > 0 ? std::min(maximum, numberable) : numberable;
-    for (const Violation& violation : this->violations_.batch())
-    {
-      if (this->violations_.isOpen(violation) && this->triangles_.numberOfTriangles() <= most)
-      {
-        this->refine(violation);
-        this->closure_.close();
-        this->report();
-      }
-    }
-    return this->closure_.exchangeSplits(most, [this]() { this->report(); }) &&
-      (maximum == 0 ||
-        sumOverRanks(this->field_.surface().exchange(), this->triangles_.numberOfTriangles()).all <=
-          maximum);
-  }
+  /// Ids are 3 * triangle + k.
+  static constexpr std::uint64_t MostOfRank = NoId / 5;
 
-  /// Splits the worst of the edges, or parts of edges, that are over the limit. If there is none,
-  /// the error is inside, where new edges are needed.
-  void refine(const Violation& violation)
-  {
-    const Id leaf = violation.triangle;
-    this->overLimit_.clear();
-    double worst = 0.0;
-    this->triangles_.forEachPartOfEdges(leaf,
-      [&](Id edge)
-      {
-        const double deviation = this->workers_.deviation(edge).largest();
-        if (deviation > violation.limit)
-        {
-          this->overLimit_.push_back(edge);
-          worst = std::max(worst, deviation);
-        }
-      });
-    const bool isThin = this->triangles_.isThin(leaf);
-    if (isThin)
-    {
-      // smaller errors wait until those of other leaves are as small
-      this->overLimit_.erase(
-        std::remove_if(this->overLimit_.begin(), this->overLimit_.end(),
-          [&](Id edge) { return this->workers_.deviation(edge).largest() < 0.5 * worst; }),
-        this->overLimit_.end());
-    }
-    // where a strip is as wide as its triangles are long, more points would make these thin again
-    if (this->overLimit_.empty() ||
-      (isThin && this->triangles_.pointsOnEdges(leaf) > 0 &&
-        this->triangles_.isAnyAsShortAsWide(leaf, this->overLimit_)))
-    {
-      this->closure_.splitInside(leaf);
-      return;
-    }
-    for (const Id edge : this->overLimit_)
-    {
-      this->split(edge);
-    }
-  }
-
-  /// Splits an edge, and its halves as long as they certainly must be.
-  void split(Id edge)
-  {
-    if (this->closure_.split(edge))
-    {
-      const Id halves = this->triangles_.edgeData(edge).halves;
-      for (const Id half : { halves, halves + 1 })
-      {
-        if (this->rules_.mustSplit(half))
-        {
-          this->split(half);
-        }
-      }
-    }
-  }
-
-  void raiseBound(double bound) { this->bound_ = std::max(this->bound_, bound); }
-
-  /// The errors fall from the initial worst to the tolerance, by about the same factor with each
-  /// level.
-  void report()
-  {
-    const double open = std::log(this->violations_.worst() / this->options_.tolerance);
-    const double openAtFirst = std::log(this->worstAtFirst_ / this->options_.tolerance);
-    const double done = openAtFirst > 0.0 ? 1.0 - std::clamp(open / openAtFirst, 0.0, 1.0) : 0.0;
-    constexpr unsigned stepsPerReport = 256;
-    if (this->steps_++ % stepsPerReport == 0)
-    {
-      this->options_.job.part(FacesAssessed, FacesSplit).reach(done);
-    }
-  }
-
-  const DistanceField& field_;
-  const RefinementOptions& options_;
-  RedGreenMesh triangles_;
-  RefinementWorkers workers_;
-  DeviationRules rules_;
-  RedGreenClosure closure_;
-  LeafClosings closings_;
-  ViolationQueue violations_;
+  const Task& task_;
+  double tolerance_;
+  RefinedFaces faces_;
+  SplitsOfEdges splits_;
   RegionsOfPoints regions_;
-  /// Parts of the edges of the leaf that is refined.
-  std::vector<Id> overLimit_;
+  std::vector<std::unique_ptr<FaceRefiner>> refiners_;
+  /// Faces with work to do.
+  std::vector<Id> due_;
+  /// For each edge, how many points have been counted.
+  std::vector<Id> pointsOn_;
+  std::uint64_t numberOfTriangles_;
+  std::uint64_t trianglesOfAll_ = 0;
+  bool isOverfull_ = false;
   double bound_;
-  bool stopped_ = false;
   double worstAtFirst_ = 0.0;
-  unsigned steps_ = 0;
 };
+
+/// Refines to the smallest tolerance for which there is room, by bisection of its logarithm. A run
+/// without room stops early.
+std::unique_ptr<Refiner> refineWithinRoom(const Task& task)
+{
+  constexpr double EnoughOfRoom = 0.9;
+  constexpr int MostRuns = 12;
+  std::unique_ptr<Refiner> best;
+  double fits = Infinity;
+  double tooSmall = task.options.tolerance;
+  double growth = 4.0; // 4, 16, 256 ... times the tolerance until there is room
+  for (int run = 0; run < MostRuns; ++run)
+  {
+    const double next = best ? std::sqrt(fits * tooSmall) : growth * task.options.tolerance;
+    auto refiner = std::make_unique<Refiner>(task, next);
+    if (!refiner->run())
+    {
+      tooSmall = next;
+      growth *= growth;
+      continue;
+    }
+    best = std::move(refiner);
+    fits = next;
+    if (best->shareOfRoom() >= EnoughOfRoom)
+    {
+      break;
+    }
+  }
+  if (!best) // not even for the surface as it is
+  {
+    best = std::make_unique<Refiner>(task, Infinity);
+    best->run();
+  }
+  return best;
+}
 
 void requireUsable(const DistanceField& field, const RefinementOptions& options)
 {
@@ -429,7 +586,19 @@ void requireUsable(const DistanceField& field, const RefinementOptions& options)
 RefinedMesh refine(const DistanceField& field, const RefinementOptions& options)
 {
   requireUsable(field, options);
-  return Refiner(field, options).run();
+  std::vector<std::uint8_t> frozen = findFrozen(field, options.job);
+  std::vector<std::uint8_t> frozenThere = frozenOnAnyRank(field.surface(), frozen);
+  const Task task = { field, options, std::move(frozen), std::move(frozenThere) };
+  const Job output = options.job.part(FacesSplit, 1.0);
+  auto refiner = std::make_unique<Refiner>(task, options.tolerance);
+  if (refiner->run())
+  {
+    return refiner->result(output);
+  }
+  refiner.reset();
+  RefinedMesh result = refineWithinRoom(task)->result(output);
+  result.stoppedAtMaximum = true;
+  return result;
 }
 
 }

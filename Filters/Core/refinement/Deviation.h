@@ -55,6 +55,9 @@ struct Deviation
   double below = 0.0;
   double belowAt = 0.5;
 
+  /// What has not been measured yet.
+  static Deviation unknown() { return { -1.0, 0.5, -1.0, 0.5 }; }
+  bool isKnown() const { return this->above >= 0.0; }
   double largest() const { return std::max(this->above, this->below); }
   /// Where the larger one is.
   double at() const { return this->above >= this->below ? this->aboveAt : this->belowAt; }

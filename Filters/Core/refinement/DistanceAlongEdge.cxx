@@ -84,27 +84,14 @@ double DistanceAlongEdge::furthest(double from, double to, double guess, double 
 }
 
 std::vector<double> DistanceAlongEdge::stepsWithin(
-  double from, double to, double tolerance, const StripCorners& corners, bool fromBegin) const
+  double from, double to, double tolerance) const
 {
-  const std::vector<StripCorner>& behind = corners[fromBegin ? 0 : 1];
-  const std::vector<StripCorner>& ahead = corners[fromBegin ? 1 : 0];
-  const double sign = from < to ? 1.0 : -1.0;
   std::vector<double> places;
-  double last = from;
   double guess = to - from;
-  for (;;)
+  for (double last = from;;)
   {
-    double next = this->furthest(last, to, guess, tolerance);
-    const auto limit = [&](double most) { next = sign * (next - most) > 0.0 ? most : next; };
-    for (const StripCorner& corner : behind)
-    {
-      limit(from + sign * corner.away(std::abs(last - from), std::abs(next - from)));
-    }
-    for (const StripCorner& corner : ahead)
-    {
-      limit(to - sign * corner.towards(std::abs(to - last), std::abs(to - next)));
-    }
-    if (next == to || !(sign * (next - last) > 0.0))
+    const double next = this->furthest(last, to, guess, tolerance);
+    if (next == to || next == last)
     {
       return places;
     }
@@ -114,13 +101,25 @@ std::vector<double> DistanceAlongEdge::stepsWithin(
   }
 }
 
-// If the k-th of n cuts is put between the furthest from the one end and the furthest from the
-// other, at k / (n + 1) of the way, pieces are equal where the curvature is.
-std::vector<double> DistanceAlongEdge::cuts(
-  double from, double to, double tolerance, const StripCorners& corners) const
+// A cut at the worst place, which is a kink if there is one, and the fewest on both sides of it.
+std::vector<double> DistanceAlongEdge::cutsWithKink(double from, double to, double tolerance) const
 {
-  const std::vector<double> forward = this->stepsWithin(from, to, tolerance, corners, true);
-  const std::vector<double> backward = this->stepsWithin(to, from, tolerance, corners, false);
+  const double at = this->deviation(from, to, nullptr).at();
+  const double kink = from + at * (to - from);
+  std::vector<double> places = this->stepsWithin(from, kink, tolerance);
+  places.push_back(kink);
+  const std::vector<double> behind = this->stepsWithin(kink, to, tolerance);
+  places.insert(places.end(), behind.begin(), behind.end());
+  return places;
+}
+
+// If the k-th of n cuts is put between the furthest from the one end and the furthest from the
+// other, at k / (n + 1) of the way, pieces are equal where the curvature is. The furthest from the
+// one end if that does not suffice.
+std::vector<double> DistanceAlongEdge::evenCuts(double from, double to, double tolerance) const
+{
+  std::vector<double> forward = this->stepsWithin(from, to, tolerance);
+  const std::vector<double> backward = this->stepsWithin(to, from, tolerance);
   const std::size_t count = forward.size();
   if (backward.size() != count)
   {
@@ -139,6 +138,13 @@ std::vector<double> DistanceAlongEdge::cuts(
     last = even.back();
   }
   return this->deviation(last, to, nullptr).largest() > tolerance ? forward : even;
+}
+
+std::vector<double> DistanceAlongEdge::cuts(double from, double to, double tolerance) const
+{
+  std::vector<double> even = this->evenCuts(from, to, tolerance);
+  std::vector<double> withKink = this->cutsWithKink(from, to, tolerance);
+  return withKink.size() <= even.size() ? withKink : even;
 }
 
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/RefinementOutput.h"
 
+#include "mesh/FacesWithoutArea.h"
+
+#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
@@ -10,20 +13,60 @@ namespace geodesic
 namespace
 {
 
-RefinedPoint refinedPoint(
-  const TriangleMesh& mesh, const RedGreenMesh::Point& split, const std::array<Id, 2>& parents)
+SurfacePoint placeOf(const RefinedFaces& faces, const PointOnEdge& point)
 {
-  return { parents, split.weight, split.place, position(mesh, split.place), split.distance };
+  return SurfacePoint::onEdge(faces.edges[point.edge].halfedge, point.at);
 }
 
-/// The caller's numbers for the points of a refined mesh.
+/// The numbers of a face's points among those of all faces.
+std::vector<Id> numbersIn(const FaceTriangles& face, Id firstInside)
+{
+  std::vector<Id> numbers;
+  numbers.reserve(face.points().size());
+  for (const FaceTriangles::Point& point : face.points())
+  {
+    numbers.push_back(point.number == NoId ? firstInside++ : point.number);
+  }
+  return numbers;
+}
+
+/// All added points, each after its parents, with the numbers of the mesh's vertices.
+std::vector<RefinedPoint> addedPoints(const RefinedFaces& faces, const std::vector<Id>& firstInside)
+{
+  const TriangleMesh& mesh = faces.field.mesh();
+  std::vector<RefinedPoint> points;
+  for (const PointOnEdge& point : faces.edges.points())
+  {
+    const SurfacePoint place = placeOf(faces, point);
+    points.push_back({ point.parents, point.weight, place, position(mesh, place), point.distance });
+  }
+  for (std::size_t i = 0; i < faces.openFaces().size(); ++i)
+  {
+    const FaceTriangles& face = faces.openFaces()[i];
+    const std::vector<Id> numbers = numbersIn(face, firstInside[i]);
+    for (const FaceTriangles::Point& point : face.points())
+    {
+      if (point.number == NoId)
+      {
+        const SurfacePoint place =
+          SurfacePoint::inFace(face.face(), point.weights[1], point.weights[2]);
+        points.push_back({ { numbers[point.parents[0]], numbers[point.parents[1]] }, point.weight,
+          place, position(mesh, place), point.distance });
+      }
+    }
+  }
+  return points;
+}
+
+/// The caller's numbers for the points of a refined mesh, where several may be one vertex.
 class CallersNumbers
 {
 public:
-  CallersNumbers(
-    const RedGreenMesh& triangles, const std::vector<Triangle>& atCorners, RefinedMesh& result)
-    : triangles_(triangles)
+  CallersNumbers(const TriangleMesh& mesh, const std::vector<Triangle>& atCorners,
+    std::vector<RefinedPoint> points, RefinedMesh& result)
+    : mesh_(mesh)
     , atCorners_(atCorners)
+    , points_(std::move(points))
     , splits_(result)
   {
   }
@@ -42,10 +85,9 @@ public:
 private:
   Id of(Id point)
   {
-    const Id inputPoints = this->triangles_.numberOfInputPoints();
-    if (point < inputPoints)
+    if (point < this->mesh_.numberOfVertices())
     {
-      const Triangle& corners = this->triangles_.mesh().triangle(this->face_);
+      const Triangle& corners = this->mesh_.triangle(this->face_);
       const std::size_t k = point == corners[0] ? 0 : point == corners[1] ? 1 : 2;
       return this->atCorners_[this->face_][k];
     }
@@ -54,89 +96,140 @@ private:
     {
       return known->second;
     }
-    const RedGreenMesh::Point& split = this->triangles_.points()[point - inputPoints];
-    const Id a = this->of(split.parents[0]);
-    const Id b = this->of(split.parents[1]);
-    const Id number =
-      this->splits_.numberOf(refinedPoint(this->triangles_.mesh(), split, { a, b }));
+    RefinedPoint added = this->points_[point - this->mesh_.numberOfVertices()];
+    added.parents = { this->of(added.parents[0]), this->of(added.parents[1]) };
+    const Id number = this->splits_.numberOf(added);
     this->inFace_.emplace(point, number);
     return number;
   }
 
-  const RedGreenMesh& triangles_;
+  const TriangleMesh& mesh_;
   const std::vector<Triangle>& atCorners_;
+  std::vector<RefinedPoint> points_;
   SplitPointNumbering splits_;
   /// The numbers found in the current face: a point's ancestors occur many times.
   std::unordered_map<Id, Id> inFace_;
   Id face_ = NoId;
 };
 
-/// Writes all triangles in parallel, with numberOf(point) for each corner.
-template <typename NumberOf>
-void writeTriangles(
-  const RedGreenMesh& triangles, const Job& job, const NumberOf& numberOf, RefinedMesh& result)
+/// Writes all triangles in parallel, with the numbers of the mesh's vertices.
+void writeTriangles(const RefinedFaces& faces, const std::vector<Id>& firstInside, const Job& job,
+  RefinedMesh& result)
 {
-  const Id first = triangles.firstFace();
-  const std::size_t faces = triangles.endOfFaces() - first;
-  const auto forEach = [&](std::size_t begin, std::size_t end, const auto& visit) {
-    triangles.forEachTriangle(first + static_cast<Id>(begin), first + static_cast<Id>(end), visit);
-  };
-  std::vector<std::size_t> offsets = job.part(0.0, 0.5).resultsOfRanges(faces,
-    [&](std::size_t begin, std::size_t end)
-    {
-      std::size_t count = 0;
-      forEach(begin, end, [&count](Id, const Triangle&) { ++count; });
-      return count;
-    });
-  std::size_t next = 0;
-  for (std::size_t& offset : offsets)
+  const MeshPartition& surface = faces.field.surface();
+  const Id first = surface.firstOwnFace();
+  const std::size_t count = surface.endOfOwnFaces() - first;
+  struct Range
   {
-    next += std::exchange(offset, next);
-  }
-  result.triangles.resize(next);
-  result.faces.resize(next);
-  job.part(0.5, 1.0).ranges(faces,
+    std::vector<Triangle> triangles;
+    std::vector<Id> faces;
+  };
+  const std::vector<Range> ranges = job.resultsOfRanges(count,
     [&](std::size_t begin, std::size_t end)
     {
-      std::size_t offset = offsets[begin / ItemsInRange];
-      forEach(begin, end,
-        [&](Id face, const Triangle& c)
-        {
-          result.triangles[offset] = { numberOf(c[0]), numberOf(c[1]), numberOf(c[2]) };
-          result.faces[offset++] = face;
-        });
+      Range range;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Id face = first + static_cast<Id>(i);
+        appendTriangles(faces, face, firstInside, range.triangles);
+        range.faces.resize(range.triangles.size(), face);
+      }
+      return range;
     });
+  for (const Range& range : ranges)
+  {
+    result.triangles.insert(
+      result.triangles.end(), range.triangles.begin(), range.triangles.end());
+    result.faces.insert(result.faces.end(), range.faces.begin(), range.faces.end());
+  }
 }
 
 } // anonymous namespace
 
-RefinedMesh writeOutput(const RedGreenMesh& triangles, const RefinementOptions& options,
+std::vector<Id> firstPointsInside(const RefinedFaces& faces)
+{
+  std::vector<Id> first;
+  Id next = faces.field.mesh().numberOfVertices() + static_cast<Id>(faces.edges.points().size());
+  for (const FaceTriangles& face : faces.openFaces())
+  {
+    first.push_back(next);
+    for (const FaceTriangles::Point& point : face.points())
+    {
+      next += point.number == NoId ? 1 : 0;
+    }
+  }
+  return first;
+}
+
+void appendTriangles(const RefinedFaces& faces, Id face, const std::vector<Id>& firstInside,
+  std::vector<Triangle>& triangles)
+{
+  if (faces.isOpen(face))
+  {
+    const FaceTriangles& cut = faces.triangles(face);
+    const std::vector<Id> numbers = numbersIn(cut, firstInside[faces.ofFace[face]]);
+    for (const FaceTriangles::Part& part : cut.parts())
+    {
+      const Triangle& c = part.corners;
+      triangles.push_back({ numbers[c[0]], numbers[c[1]], numbers[c[2]] });
+    }
+    return;
+  }
+  const TriangleMesh& mesh = faces.field.mesh();
+  std::array<std::vector<Id>, 3> splits;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Id halfedge = TriangleMesh::halfedgeOf(face, k);
+    const Id edge = faces.edges.find(halfedge);
+    if (edge != NoId)
+    {
+      splits[k] = faces.edges[edge].points;
+      if (mesh.origin(faces.edges[edge].halfedge) != mesh.origin(halfedge))
+      {
+        std::reverse(splits[k].begin(), splits[k].end());
+      }
+    }
+  }
+  cutAtEdges(
+    mesh.triangle(face), splits,
+    [&](Id point)
+    {
+      return faces.edges.isVertex(point) ? mesh.point(point)
+                                         : position(mesh, placeOf(faces, faces.edges.point(point)));
+    },
+    triangles);
+}
+
+RefinedMesh writeOutput(const RefinedFaces& faces, const RefinementOptions& options,
   Id numberOfPoints, const Job& job)
 {
-  const TriangleMesh& mesh = triangles.mesh();
+  const TriangleMesh& mesh = faces.field.mesh();
+  const std::vector<Id> firstInside = firstPointsInside(faces);
   RefinedMesh result;
   result.numberOfInputPoints = numberOfPoints;
-  if (options.cornerPoints.empty())
+  writeTriangles(faces, firstInside, job, result);
+  std::vector<RefinedPoint> points = addedPoints(faces, firstInside);
+  if (!options.cornerPoints.empty())
   {
-    const Id left = mesh.numberOfVertices() - numberOfPoints;
-    const auto numberOf = [&](Id point) { return point < numberOfPoints ? point : point - left; };
-    result.points.reserve(triangles.points().size());
-    for (const RedGreenMesh::Point& split : triangles.points())
+    // Added points are numbered in the order in which triangles reach them.
+    CallersNumbers numbers(mesh, options.cornerPoints, std::move(points), result);
+    for (std::size_t i = 0; i < result.triangles.size(); ++i)
     {
-      result.points.push_back(
-        refinedPoint(mesh, split, { numberOf(split.parents[0]), numberOf(split.parents[1]) }));
+      result.triangles[i] = numbers.of(result.faces[i], result.triangles[i]);
     }
-    writeTriangles(triangles, job, numberOf, result);
     return result;
   }
-  writeTriangles(
-    triangles, job, [](Id point) { return point; }, result);
-  // Points that split edges are numbered in the order in which triangles reach them.
-  CallersNumbers numbers(triangles, options.cornerPoints, result);
-  for (std::size_t i = 0; i < result.triangles.size(); ++i)
+  const Id left = mesh.numberOfVertices() - numberOfPoints;
+  const auto renumber = [&](Id& point) { point -= point < numberOfPoints ? 0 : left; };
+  for (RefinedPoint& point : points)
   {
-    result.triangles[i] = numbers.of(result.faces[i], result.triangles[i]);
+    std::for_each(point.parents.begin(), point.parents.end(), renumber);
   }
+  for (std::size_t i = 0; i < result.triangles.size() && left > 0; ++i)
+  {
+    std::for_each(result.triangles[i].begin(), result.triangles[i].end(), renumber);
+  }
+  result.points = std::move(points);
   return result;
 }
 

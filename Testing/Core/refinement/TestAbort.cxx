@@ -12,7 +12,6 @@
 #include "paths/JoinPoints.h"
 #include "paths/PathsToSource.h"
 #include "refinement/AdaptiveRefinement.h"
-#include "refinement/DeviationRules.h"
 #include "refinement/SolveForRefinement.h"
 
 #include <gtest/gtest.h>
@@ -321,16 +320,15 @@ TEST(Abort, ComesSoonOnAnyMesh)
   std::cout << "longest silence " << worst << " s\n";
 }
 
-// One split may require very many others.
-TEST(Abort, IsAskedForAtEachSplitOfARefinement)
+// Two faces with very many triangles each.
+TEST(Abort, IsAskedForWhileALargeFaceIsRefined)
 {
-  const TriangleMesh mesh = engineMesh(regularGrid(2, 2));
+  const TriangleMesh mesh = engineMesh(regularGrid(1, 1));
   const geodesic::DistanceField field =
-    solveKeepingAll(mesh, { geodesic::pointCurve(SurfacePoint::atVertex(0)) });
-  const Job stop([](double) { return false; });
-  geodesic::RedGreenMesh triangles(
-    field.surface(), std::vector<std::uint8_t>(mesh.numberOfFaces(), 0));
-  geodesic::RefinementWorkers workers(field, triangles, 1.0, stop);
-  geodesic::DeviationRules rules(triangles, workers, 1.0);
-  EXPECT_THROW(rules.place(triangles.ensureEdge(0, 0)), geodesic::Aborted);
+    solveKeepingAll(mesh, { geodesic::pointCurve(SurfacePoint::inFace(0, 0.3, 0.3)) });
+  geodesic::RefinementOptions options;
+  options.tolerance = 1e-6;
+  int calls = 0;
+  options.job = Job([&](double) { return ++calls < 20; });
+  EXPECT_THROW(refine(field, options), geodesic::Aborted);
 }

@@ -260,7 +260,7 @@ TEST(DistanceAlongEdge, CutsAHyperbolaIntoTheFewestPieces)
     const double tolerance = std::pow(10.0, random.uniform(-5.0, -2.0)) * length;
     geodesic::DistanceAlongEdge distance;
     distance.add({ { 0.0, length, source, h, 0.0, 0.0, Window::Kind::Circular, 0 } }, 0.0);
-    std::vector<double> places = distance.cuts(0.0, length, tolerance, {});
+    std::vector<double> places = distance.cuts(0.0, length, tolerance);
     EXPECT_GE(places.size() + 1, fewestPieces(h, -source, length - source, tolerance));
     EXPECT_LE(places.size() + 1, fewestPieces(h, -source, length - source, 0.9 * tolerance));
     places.insert(places.begin(), 0.0);
@@ -270,24 +270,5 @@ TEST(DistanceAlongEdge, CutsAHyperbolaIntoTheFewestPieces)
       ASSERT_LT(places[i - 1], places[i]);
       EXPECT_LE(distance.deviation(places[i - 1], places[i], nullptr).largest(), 1.01 * tolerance);
     }
-  }
-}
-
-TEST(DistanceAlongEdge, PiecesFromAnEndGrowByTheFactorAllowed)
-{
-  // far from the source the distance is nearly linear
-  geodesic::DistanceAlongEdge distance;
-  distance.add({ { 0.0, 100.0, 0.0, 0.1, 0.0, 0.0, Window::Kind::Circular, 0 } }, 0.0);
-  for (const double factor : { 2.0, 3.0 })
-  {
-    const geodesic::StripCorners corners = { { { { factor, {} } }, {} } };
-    const std::vector<double> places = distance.cuts(0.0, 100.0, 1e-3, corners);
-    ASSERT_GT(places.size(), 2U);
-    for (std::size_t i = 1; i < places.size(); ++i)
-    {
-      EXPECT_LE(places[i], 1.2 * factor * places[i - 1]);
-    }
-    EXPECT_LE(100.0, 1.2 * factor * places.back());
-    EXPECT_GT(places.size(), distance.cuts(0.0, 100.0, 1e-3, {}).size());
   }
 }

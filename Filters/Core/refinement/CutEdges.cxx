@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refinement/CutEdges.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+Id CutEdges::ensure(Id halfedge)
+{
+  const Id name = this->mesh_.edgeOf(halfedge);
+  const auto [found, isNew] = this->numbers_.emplace(name, this->size());
+  if (isNew)
+  {
+    this->edges_.push_back({ name, this->mesh_.length(name), {}, {} });
+  }
+  return found->second;
+}
+
+Id CutEdges::find(Id halfedge) const
+{
+  const auto found = this->numbers_.find(this->mesh_.edgeOf(halfedge));
+  return found == this->numbers_.end() ? NoId : found->second;
+}
+
+Id CutEdges::endOfPiece(Id edge, Id end) const
+{
+  const CutEdge& e = this->edges_[edge];
+  return end == 0 ? this->mesh_.origin(e.halfedge)
+    : end == e.numberOfPieces() ? this->mesh_.destination(e.halfedge)
+                                : e.points[end - 1];
+}
+
+double CutEdges::placeOfEnd(Id edge, Id end) const
+{
+  const CutEdge& e = this->edges_[edge];
+  return end == 0 ? 0.0
+    : end == e.numberOfPieces() ? 1.0
+                                : this->point(e.points[end - 1]).at;
+}
+
+double CutEdges::lengthOfPiece(Id edge, Id piece) const
+{
+  return (this->placeOfEnd(edge, piece + 1) - this->placeOfEnd(edge, piece)) *
+    this->edges_[edge].length;
+}
+
+Id CutEdges::pieceFrom(Id edge, double at) const
+{
+  const std::vector<Id>& points = this->edges_[edge].points;
+  const auto behind = std::upper_bound(points.begin(), points.end(), at,
+    [this](double place, Id point) { return place < this->point(point).at; });
+  return static_cast<Id>(behind - points.begin());
+}
+
+void CutEdges::split(Id edge, Id piece, double weight, double distance, bool isForShape)
+{
+  CutEdge& e = this->edges_[edge];
+  const double from = this->placeOfEnd(edge, piece);
+  const double to = this->placeOfEnd(edge, piece + 1);
+  const Id number = this->mesh_.numberOfVertices() + static_cast<Id>(this->points_.size());
+  this->points_.push_back({ edge, from + weight * (to - from), distance,
+    { this->endOfPiece(edge, piece), this->endOfPiece(edge, piece + 1) }, weight,
+    isForShape });
+  e.points.insert(e.points.begin() + static_cast<std::ptrdiff_t>(piece), number);
+  if (e.pieces.empty())
+  {
+    e.pieces.assign(e.numberOfPieces(), Deviation::unknown());
+    return;
+  }
+  e.pieces[piece] = Deviation::unknown();
+  e.pieces.insert(e.pieces.begin() + static_cast<std::ptrdiff_t>(piece), Deviation::unknown());
+}
+
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_CutEdges_h
+#define geodesic_CutEdges_h
+
+#include "mesh/TriangleMesh.h"
+#include "refinement/Deviation.h"
+
+#include <array>
+#include <unordered_map>
+#include <vector>
+
+namespace geodesic
+{
+
+/// A point that refinement has put on an edge of the input.
+struct PointOnEdge
+{
+  Id edge;
+  /// The fraction of the way along the edge.
+  double at;
+  double distance;
+  /// The points between which it was put, and the fraction of the way from the first to the second.
+  /// Points are numbered: the mesh's vertices, then these.
+  std::array<Id, 2> parents;
+  double weight;
+  /// Whether shapes alone have asked for it.
+  bool isForShape;
+};
+
+/// An edge of the input under refinement. All faces around it share its points, so that no T-vertex
+/// can arise.
+struct CutEdge
+{
+  /// The edge's name, along which it runs (TriangleMesh::edgeOf).
+  Id halfedge;
+  double length;
+  /// The numbers of its points, in their order along it.
+  std::vector<Id> points;
+  /// How far the distance along each piece between neighbouring points deviates from linear: one
+  /// more than points. Empty until some have been measured.
+  std::vector<Deviation> pieces;
+
+  Id numberOfPieces() const { return static_cast<Id>(this->points.size()) + 1; }
+};
+
+/// The edges of the faces that are refined, and the points on them.
+class CutEdges
+{
+public:
+  explicit CutEdges(const TriangleMesh& mesh)
+    : mesh_(mesh)
+  {
+  }
+
+  const CutEdge& operator[](Id edge) const { return this->edges_[edge]; }
+  CutEdge& operator[](Id edge) { return this->edges_[edge]; }
+  Id size() const { return static_cast<Id>(this->edges_.size()); }
+  /// The number of an edge, which is added if necessary.
+  ///
+  /// \param halfedge any of the edge's.
+  Id ensure(Id halfedge);
+  /// The same for an edge that may not be there: NoId then.
+  Id find(Id halfedge) const;
+
+  const std::vector<PointOnEdge>& points() const { return this->points_; }
+  bool isVertex(Id point) const { return point < this->mesh_.numberOfVertices(); }
+  const PointOnEdge& point(Id number) const
+  {
+    return this->points_[number - this->mesh_.numberOfVertices()];
+  }
+  /// The end of a piece, piece i lying between ends i and i + 1; and the fraction of the way along
+  /// the edge there.
+  Id endOfPiece(Id edge, Id end) const;
+  double placeOfEnd(Id edge, Id end) const;
+  double lengthOfPiece(Id edge, Id piece) const;
+  /// The piece that begins at a point, or at the edge's begin.
+  Id pieceFrom(Id edge, double at) const;
+
+  /// Puts a point on a piece; the deviations of both parts are not known then.
+  ///
+  /// \param weight the fraction of the way along the piece, inside of it.
+  void split(Id edge, Id piece, double weight, double distance, bool isForShape);
+
+private:
+  const TriangleMesh& mesh_;
+  std::vector<CutEdge> edges_;
+  std::unordered_map<Id, Id> numbers_;
+  std::vector<PointOnEdge> points_;
+};
+
+}
+
+#endif

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refinement/EdgeSplitter.h"
+
+#include "Tolerance.h"
+#include "refinement/SolveForRefinement.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+// No part of a piece is shorter than this fraction of it: so lengths fall from split to split.
+constexpr double LeastWeight = 0.1;
+
+} // anonymous namespace
+
+template <typename Visit>
+void EdgeSplitter::forEachFaceToMeasure(Id edge, const Visit& visit)
+{
+  bool isDone = false;
+  forEachFace(this->field_.mesh(), SurfacePoint::onEdge(this->edges_[edge].halfedge, 0.5),
+    [&](Id face)
+    {
+      if (!isDone && this->isFrozen_[face] == 0)
+      {
+        visit(this->enter(face));
+        isDone = this->face_->isExact();
+      }
+    });
+}
+
+const FaceDistance& EdgeSplitter::enter(Id face)
+{
+  if (!this->face_)
+  {
+    this->face_.emplace(this->field_, face);
+  }
+  else if (this->face_->face() != face)
+  {
+    this->face_.emplace(this->field_, face, this->face_->releaseMemory());
+  }
+  return *this->face_;
+}
+
+const DistanceAlongEdge& EdgeSplitter::along(Id edge)
+{
+  if (this->edge_ != edge)
+  {
+    this->edge_ = edge;
+    this->along_ = {};
+    const TriangleMesh& mesh = this->field_.mesh();
+    const Id halfedge = this->edges_[edge].halfedge;
+    this->forEachFaceToMeasure(edge,
+      [&](const FaceDistance& face)
+      {
+        const auto place = [&](double at)
+        {
+          return face.inPlane(
+            barycentric(mesh, SurfacePoint::onEdge(halfedge, at), face.face()));
+        };
+        const Vec2 begin = place(0.0);
+        this->along_.add(this->envelope_.along(face, begin, place(1.0)), face.distance(begin));
+      });
+  }
+  return this->along_;
+}
+
+double EdgeSplitter::distanceOfPoint(Id point) const
+{
+  return this->edges_.isVertex(point) ? this->field_.vertexDistances()[point]
+                                      : this->edges_.point(point).distance;
+}
+
+double EdgeSplitter::distanceAt(Id edge, double at)
+{
+  double least = Infinity;
+  const SurfacePoint place = SurfacePoint::onEdge(this->edges_[edge].halfedge, at);
+  this->forEachFaceToMeasure(edge,
+    [&](const FaceDistance& face)
+    {
+      least = std::min(least,
+        face.distance(face.inPlane(barycentric(this->field_.mesh(), place, face.face()))));
+    });
+  return least;
+}
+
+std::vector<Deviation> EdgeSplitter::measure(Id edge)
+{
+  const CutEdge& e = this->edges_[edge];
+  std::vector<Deviation> pieces = e.pieces;
+  pieces.resize(e.numberOfPieces(), Deviation::unknown());
+  const bool isExact = this->field_.relativeErrorBound() == 0.0;
+  for (Id piece = 0; piece < e.numberOfPieces(); ++piece)
+  {
+    if (pieces[piece].isKnown())
+    {
+      continue;
+    }
+    const std::array<double, 2> ends = {
+      this->distanceOfPoint(this->edges_.endOfPiece(edge, piece)),
+      this->distanceOfPoint(this->edges_.endOfPiece(edge, piece + 1))
+    };
+    pieces[piece] = this->along(edge).deviation(this->edges_.placeOfEnd(edge, piece) * e.length,
+      this->edges_.placeOfEnd(edge, piece + 1) * e.length, isExact ? &ends : nullptr);
+  }
+  return pieces;
+}
+
+// The triangles at the pieces have a little less than the tolerance: what rounding takes of it, and
+// in an approximate field what merging does.
+std::vector<EdgeSplit> EdgeSplitter::fewestSplits(Id edge)
+{
+  const CutEdge& e = this->edges_[edge];
+  const double merged =
+    this->field_.relativeErrorBound() > 0.0 ? maximumMergedFor(this->tolerance_) : 0.0;
+  const double largest = std::max(this->distanceOfPoint(this->edges_.endOfPiece(edge, 0)),
+    this->distanceOfPoint(this->edges_.endOfPiece(edge, 1)));
+  const double limit = std::max(
+    this->tolerance_ - merged - tolerance::FaceRounding * largest, 0.5 * this->tolerance_);
+  std::vector<EdgeSplit> splits;
+  if (!(this->along(edge).deviation(0.0, e.length, nullptr).largest() > limit))
+  {
+    return splits;
+  }
+  std::vector<double> places = this->along(edge).cuts(0.0, e.length, limit);
+  for (double& place : places)
+  {
+    place /= e.length;
+  }
+  this->addSplits(edge, { places.data(), places.data() + places.size() }, 0.0, 1.0, 0, splits);
+  return splits;
+}
+
+// The cut nearest to the middle of a piece comes first, so that both parts are about as long, and
+// the last part's cuts before the first's, which change the numbers of the pieces behind.
+void EdgeSplitter::addSplits(Id edge, ArrayRange<double> places, double from, double to, Id piece,
+  std::vector<EdgeSplit>& splits)
+{
+  const auto weightOf = [&](double place) { return (place - from) / (to - from); };
+  const auto fromMiddle = [&](double place) { return std::abs(weightOf(place) - 0.5); };
+  const double* best = std::min_element(places.begin(), places.end(),
+    [&](double a, double b) { return fromMiddle(a) < fromMiddle(b); });
+  if (best == places.end() || !(fromMiddle(*best) < 0.5))
+  {
+    return;
+  }
+  const double weight = std::clamp(weightOf(*best), LeastWeight, 1.0 - LeastWeight);
+  const double at = from + weight * (to - from);
+  splits.push_back({ piece, false, weight, this->distanceAt(edge, at) });
+  this->addSplits(edge, { best + 1, places.end() }, at, to, piece + 1, splits);
+  this->addSplits(edge, { places.begin(), best }, from, at, piece, splits);
+}
+
+EdgeSplit EdgeSplitter::split(Id edge, Id piece, double weight, bool isForShape)
+{
+  weight = std::clamp(weight, LeastWeight, 1.0 - LeastWeight);
+  const double from = this->edges_.placeOfEnd(edge, piece);
+  const double to = this->edges_.placeOfEnd(edge, piece + 1);
+  return { piece, isForShape, weight, this->distanceAt(edge, from + weight * (to - from)) };
+}
+
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_EdgeSplitter_h
+#define geodesic_EdgeSplitter_h
+
+#include "field/FaceDistance.h"
+#include "field/SegmentEnvelope.h"
+#include "refinement/CutEdges.h"
+#include "refinement/DistanceAlongEdge.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace geodesic
+{
+
+/// Where a piece of an edge is split, as CutEdges::split() takes it.
+struct EdgeSplit
+{
+  Id piece;
+  bool isForShape;
+  double weight;
+  double distance;
+};
+
+/// Measures edges in the faces around them that are refined: in an exact field in the first of them,
+/// as one face determines the whole distance along its edge. In an approximate field faces may
+/// differ: the largest deviation counts, and a point has the least distance.
+///
+/// One object serves one edge after another and reuses its memory. Edges do not change meanwhile.
+class EdgeSplitter
+{
+public:
+  /// All arguments must outlive this.
+  ///
+  /// \param isFrozen for each face, whether it is not refined.
+  EdgeSplitter(const DistanceField& field, const CutEdges& edges,
+    const std::vector<std::uint8_t>& isFrozen, double tolerance)
+    : field_(field)
+    , edges_(edges)
+    , isFrozen_(isFrozen)
+    , tolerance_(tolerance)
+  {
+  }
+
+  /// The deviations of an edge's pieces, of which those not yet known are measured.
+  std::vector<Deviation> measure(Id edge);
+  /// The places that cut an edge without points into the fewest pieces within the tolerance; none if
+  /// it is within the tolerance.
+  std::vector<EdgeSplit> fewestSplits(Id edge);
+  /// Adds the distance to a split.
+  EdgeSplit split(Id edge, Id piece, double weight, bool isForShape);
+
+private:
+  template <typename Visit>
+  void forEachFaceToMeasure(Id edge, const Visit& visit);
+  const FaceDistance& enter(Id face);
+  const DistanceAlongEdge& along(Id edge);
+  double distanceAt(Id edge, double at);
+  void addSplits(Id edge, ArrayRange<double> places, double from, double to, Id piece,
+    std::vector<EdgeSplit>& splits);
+  double distanceOfPoint(Id point) const;
+
+  const DistanceField& field_;
+  const CutEdges& edges_;
+  const std::vector<std::uint8_t>& isFrozen_;
+  double tolerance_;
+  /// The last face, as neighbouring edges often ask for the same.
+  std::optional<FaceDistance> face_;
+  SegmentEnvelope envelope_;
+  /// The distance along the last edge.
+  DistanceAlongEdge along_;
+  Id edge_ = NoId;
+};
+
+}
+
+#endif

@@ -1,0 +1,569 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refinement/FaceRefiner.h"
+
+#include "Tolerance.h"
+#include "Trigonometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace geodesic
+{
+
+namespace
+{
+
+// A triangle's smallest angle (in radians) is too small if it is under this (14 degrees) and under
+// this fraction of the face's.
+constexpr double LeastAngle = 0.25;
+constexpr double LeastAngleFraction = 0.5;
+// A new piece of an edge makes an angle that is larger by this factor, so that rounding does not
+// make it too small again.
+constexpr double AngleMargin = 1.05;
+
+// A triangle is not split for its shape unless its sides differ by more than this factor: so no side
+// gets shorter than the shortest one, and splitting ends.
+constexpr double UnequalSides = 2.0;
+
+// A face may be split this often for its shapes, and this often more for each point that errors
+// need.
+constexpr Id SplitsForShape = 16;
+constexpr Id SplitsForShapePerPoint = 4;
+
+// A new point inside keeps this fraction of half the side that it splits away from the sides of the
+// face. Else its triangles there would be thin unless the face's side gets a point, too.
+constexpr double DistanceFromSides = 0.35;
+
+// A large face takes several rounds, between which the watcher can stop.
+constexpr int StepsInRound = 2048;
+
+double angleBetween(Vec2 a, Vec2 b)
+{
+  return polarAngle({ dot(a, b), std::abs(cross(a, b)) });
+}
+
+std::array<double, 3> lengthsOf(const std::array<Vec2, 3>& c)
+{
+  return { norm(c[1] - c[0]), norm(c[2] - c[1]), norm(c[0] - c[2]) };
+}
+
+std::size_t indexOfLargest(const std::array<double, 3>& values)
+{
+  return static_cast<std::size_t>(
+    std::max_element(values.begin(), values.end()) - values.begin());
+}
+
+} // anonymous namespace
+
+double smallestAngle(const std::array<Vec2, 3>& c)
+{
+  return std::min({ angleBetween(c[1] - c[0], c[2] - c[0]), angleBetween(c[2] - c[1], c[0] - c[1]),
+    angleBetween(c[0] - c[2], c[1] - c[2]) });
+}
+
+bool FaceRefiner::OpenPart::operator<(const OpenPart& other) const
+{
+  return std::tuple(other.reason, this->urgency, other.part) <
+    std::tuple(this->reason, other.urgency, this->part);
+}
+
+bool FaceRefiner::refine(FaceTriangles& face, std::uint64_t mostParts,
+  const LengthAtBorder& lengthAtBorder, std::vector<SplitRequest>& requests)
+{
+  this->lengthAtBorder_ = &lengthAtBorder;
+  this->requests_ = &requests;
+  this->open_ = {};
+  this->enter(face);
+  this->takePoints();
+  face.flipChanged();
+  face.takeChanged();
+  for (Id part = 0; part < face.numberOfParts(); ++part)
+  {
+    if (face.part(part).state != FaceTriangles::State::Passed)
+    {
+      this->assess(part);
+    }
+    else
+    {
+      this->assessAtBorder(part);
+    }
+  }
+  for (int step = 0; !this->open_.empty() && face.numberOfParts() <= mostParts; ++step)
+  {
+    if (step == StepsInRound)
+    {
+      return false;
+    }
+    const OpenPart open = this->open_.top();
+    this->open_.pop();
+    if (face.part(open.part).version == open.version)
+    {
+      const Id parts = face.numberOfParts();
+      this->improve(open);
+      this->assess(face.takeChanged());
+      if (face.part(open.part).version == open.version && face.numberOfParts() > parts)
+      {
+        this->open_.push(open); // another triangle on the way to the longest side was split
+      }
+    }
+  }
+  return true;
+}
+
+void FaceRefiner::enter(FaceTriangles& face)
+{
+  this->face_ = &face;
+  this->inside_.clear();
+  if (this->distance_)
+  {
+    this->distance_.emplace(this->field_, face.face(), this->distance_->releaseMemory());
+  }
+  else
+  {
+    this->distance_.emplace(this->field_, face.face());
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    this->edgeOfSide_[k] = this->edges_.find(TriangleMesh::halfedgeOf(face.face(), k));
+  }
+  this->leastAngle_ =
+    std::min(LeastAngle, LeastAngleFraction * smallestAngle(face.places({ 0, 1, 2 })));
+}
+
+bool FaceRefiner::isReversed(std::size_t side) const
+{
+  const Id begin = this->field_.mesh().origin(this->edges_[this->edgeOfSide_[side]].halfedge);
+  return begin != this->face_->points()[side].number;
+}
+
+double FaceRefiner::alongEdge(std::size_t side, Id point) const
+{
+  const Id number = this->face_->points()[point].number;
+  if (!this->edges_.isVertex(number))
+  {
+    return this->edges_.point(number).at;
+  }
+  const Id halfedge = this->edges_[this->edgeOfSide_[side]].halfedge;
+  return number == this->field_.mesh().origin(halfedge) ? 0.0 : 1.0;
+}
+
+FaceTriangles::Point FaceRefiner::pointOnEdge(std::size_t side, Id number) const
+{
+  const PointOnEdge& on = this->edges_.point(number);
+  FaceTriangles::Point point;
+  point.weights = barycentric(this->field_.mesh(),
+    SurfacePoint::onEdge(this->edges_[on.edge].halfedge, on.at), this->face_->face());
+  point.place = this->distance_->inPlane(point.weights);
+  point.distance = on.distance;
+  point.here =
+    this->distance_->isExact() ? on.distance : this->distance_->distance(point.place);
+  point.number = number;
+  point.sides = static_cast<std::uint8_t>(1U << side);
+  return point;
+}
+
+void FaceRefiner::takePoints()
+{
+  for (std::size_t side = 0; side < 3; ++side)
+  {
+    this->takePoints(side);
+  }
+}
+
+// From one corner of the side to the next. A part keeps the half that begins first, so the rest of
+// the side is in the part that was added.
+void FaceRefiner::takePoints(std::size_t side)
+{
+  std::vector<Id> numbers = this->edges_[this->edgeOfSide_[side]].points;
+  if (this->isReversed(side))
+  {
+    std::reverse(numbers.begin(), numbers.end());
+  }
+  struct Piece
+  {
+    Id part;
+    std::size_t k;
+  };
+  std::unordered_map<Id, Piece> from; // by the number of the point where a piece begins
+  std::size_t known = 0;
+  for (Id part = 0; part < this->face_->numberOfParts(); ++part)
+  {
+    const FaceTriangles::Part& p = this->face_->parts()[part];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (p.across[k] == NoId && this->face_->sideWith(p.corners[k], p.corners[(k + 1) % 3]) == side)
+      {
+        from[this->face_->points()[p.corners[k]].number] = { part, k };
+        ++known;
+      }
+    }
+  }
+  if (known == numbers.size() + 1)
+  {
+    return;
+  }
+  Piece last = from.at(this->face_->points()[side].number);
+  for (const Id number : numbers)
+  {
+    const auto found = from.find(number);
+    if (found != from.end())
+    {
+      last = found->second;
+      continue;
+    }
+    const Id point = this->face_->addPoint(this->pointOnEdge(side, number));
+    const Id added = this->face_->split(last.part, last.k, point);
+    last.part = added;
+  }
+}
+
+void FaceRefiner::assess(const std::vector<Id>& parts)
+{
+  for (const Id part : parts)
+  {
+    this->assess(part);
+  }
+}
+
+void FaceRefiner::assess(Id part)
+{
+  FaceTriangles::Part& p = this->face_->part(part);
+  const Check check = this->check(p.corners, false);
+  if (!check.hasPassed)
+  {
+    this->open_.push({ SplitReason::Error, check.sample, part, p.version, check.limit });
+    return;
+  }
+  p.state = FaceTriangles::State::Passed;
+  p.bound = check.bound;
+  const double shape = this->urgencyOfShape(part);
+  if (shape > 0.0)
+  {
+    this->open_.push({ SplitReason::Shape, shape, part, p.version, check.limit });
+    return;
+  }
+  this->assessAtBorder(part);
+}
+
+void FaceRefiner::assessAtBorder(Id part)
+{
+  const FaceTriangles::Part& p = this->face_->parts()[part];
+  const double length = p.state == FaceTriangles::State::Passed && *this->lengthAtBorder_
+    ? (*this->lengthAtBorder_)(*this->face_, p.corners)
+    : 0.0;
+  if (length > 0.0)
+  {
+    this->open_.push({ SplitReason::Border, length, part, p.version, Infinity });
+  }
+}
+
+double FaceRefiner::urgencyOfShape(Id part) const
+{
+  if (this->face_->numberOfParts() == 1)
+  {
+    return 0.0;
+  }
+  const std::array<Vec2, 3> places = this->face_->places(this->face_->parts()[part].corners);
+  const auto lengths = lengthsOf(places);
+  const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
+  const double angle = smallestAngle(places);
+  return angle < this->leastAngle_ && *longest > UnequalSides * *shortest
+    ? this->leastAngle_ / std::max(angle, tolerance::Rounding)
+    : 0.0;
+}
+
+void FaceRefiner::improve(const OpenPart& open)
+{
+  switch (open.reason)
+  {
+    case SplitReason::Error:
+      this->mendError(open);
+      break;
+    case SplitReason::Shape:
+      this->mendShape(open);
+      break;
+    case SplitReason::Border:
+      this->halveLongest(open);
+      break;
+  }
+}
+
+// A side's deviation counts as no larger than its length, as distances change by no more than the
+// length moved: so refinement ends, whatever rounding does.
+void FaceRefiner::mendError(const OpenPart& open)
+{
+  const FaceTriangles::Part& part = this->face_->parts()[open.part];
+  const auto lengths = lengthsOf(this->face_->places(part.corners));
+  std::size_t worst = 3;
+  double largest = open.limit;
+  double at = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const SideDeviation side = this->deviationOf(part.corners[k], part.corners[(k + 1) % 3]);
+    const double deviation = std::min(side.deviation.largest(), lengths[k]);
+    if (deviation > largest)
+    {
+      worst = k;
+      largest = deviation;
+      at = side.at;
+    }
+  }
+  if (worst == 3)
+  {
+    this->halveLongest(open);
+  }
+  else if (part.across[worst] == NoId)
+  {
+    const Id a = part.corners[worst];
+    const Id b = part.corners[(worst + 1) % 3];
+    const std::size_t side = this->face_->sideWith(a, b);
+    const bool isReversed = this->isReversed(side);
+    this->request(open, side, this->alongEdge(side, isReversed ? b : a),
+      splitPosition(isReversed ? 1.0 - at : at));
+  }
+  else if (!this->flipIfBoth(open.part, worst))
+  {
+    this->splitInside(open, open.part, worst, splitPosition(at));
+  }
+}
+
+// The side of the face that is too long gets a point where the angle there is just large enough. At
+// a sharp corner pieces then grow with the way from the corner.
+void FaceRefiner::mendShape(const OpenPart& open)
+{
+  const FaceTriangles::Part& part = this->face_->parts()[open.part];
+  if (!this->mayImproveShape())
+  {
+    return;
+  }
+  const std::array<Vec2, 3> places = this->face_->places(part.corners);
+  const auto lengths = lengthsOf(places);
+  const std::size_t k = indexOfLargest(lengths);
+  if (part.across[k] != NoId)
+  {
+    this->halveLongest(open);
+    return;
+  }
+  const std::size_t next = (k + 1) % 3;
+  const std::size_t apex = (k + 2) % 3;
+  const bool isNearBegin = lengths[apex] < lengths[next];
+  const Vec2 near = places[isNearBegin ? k : next];
+  const Vec2 along = (1.0 / lengths[k]) * (places[isNearBegin ? next : k] - near);
+  const double height = std::abs(cross(along, places[apex] - near));
+  const double way = std::min(0.5 * lengths[k],
+    dot(along, places[apex] - near) + height / tangent(AngleMargin * this->leastAngle_));
+  if (way < std::min(lengths[next], lengths[apex]))
+  {
+    return; // no piece may be shorter than the shortest side
+  }
+  const Id a = part.corners[k];
+  const Id b = part.corners[next];
+  const std::size_t side = this->face_->sideWith(a, b);
+  const bool isReversed = this->isReversed(side);
+  const double weight = way / lengths[k];
+  this->request(open, side, this->alongEdge(side, isReversed ? b : a),
+    isNearBegin != isReversed ? weight : 1.0 - weight);
+}
+
+// Points that errors need are all but those that shapes have asked for.
+bool FaceRefiner::mayImproveShape() const
+{
+  Id forErrors = 0;
+  Id forShapes = 0;
+  for (const FaceTriangles::Point& point : this->face_->points())
+  {
+    const bool isForShape = point.number == NoId ? point.isForShape
+                                                 : !this->edges_.isVertex(point.number) &&
+        this->edges_.point(point.number).isForShape;
+    (isForShape ? forShapes : forErrors) += 1;
+  }
+  return forShapes < SplitsForShape + SplitsForShapePerPoint * forErrors;
+}
+
+bool FaceRefiner::flipIfBoth(Id part, std::size_t k)
+{
+  for (const Triangle& corners : this->face_->flipped(part, k))
+  {
+    if (!this->face_->isTriangle(corners) ||
+      smallestAngle(this->face_->places(corners)) < this->leastAngle_ ||
+      !this->check(corners, false).hasPassed)
+    {
+      return false;
+    }
+  }
+  this->face_->flip(part, k);
+  return true;
+}
+
+// Walks across the longest side as long as the next triangle's is longer. What is halved is then the
+// longest side of both triangles there.
+void FaceRefiner::halveLongest(const OpenPart& open)
+{
+  Id part = open.part;
+  for (;;)
+  {
+    const FaceTriangles::Part& p = this->face_->parts()[part];
+    const auto lengths = lengthsOf(this->face_->places(p.corners));
+    const std::size_t k = indexOfLargest(lengths);
+    const Id other = p.across[k];
+    if (other == NoId)
+    {
+      const std::size_t side = this->face_->sideWith(p.corners[k], p.corners[(k + 1) % 3]);
+      this->request(open, side,
+        std::min(
+          this->alongEdge(side, p.corners[k]), this->alongEdge(side, p.corners[(k + 1) % 3])),
+        0.5);
+      return;
+    }
+    const auto there = lengthsOf(this->face_->places(this->face_->parts()[other].corners));
+    if (!(there[indexOfLargest(there)] > lengths[k]))
+    {
+      this->splitInside(open, part, k, 0.5);
+      return;
+    }
+    part = other;
+  }
+}
+
+void FaceRefiner::splitInside(const OpenPart& open, Id part, std::size_t k, double weight)
+{
+  const Triangle& c = this->face_->parts()[part].corners;
+  const Id a = c[k];
+  const Id b = c[(k + 1) % 3];
+  const FaceTriangles::Point& begin = this->face_->points()[a];
+  const FaceTriangles::Point& end = this->face_->points()[b];
+  FaceTriangles::Point point;
+  point.weights = between(begin.weights, end.weights, weight);
+  point.place = this->distance_->inPlane(point.weights);
+  if (this->asksBeside(open, point, norm(end.place - begin.place)))
+  {
+    return;
+  }
+  point.distance = this->distance_->distance(point.place);
+  point.here = point.distance;
+  point.parents = { a, b };
+  point.weight = weight;
+  point.isForShape = open.reason == SplitReason::Shape;
+  this->face_->split(part, k, this->face_->addPoint(point));
+  this->face_->flipChanged();
+}
+
+// Whether a point that splits a side of this length would lie too close to a side of the face. Then
+// the longest piece beside it is to be halved instead.
+bool FaceRefiner::asksBeside(
+  const OpenPart& open, const FaceTriangles::Point& point, double length)
+{
+  const FaceShape& shape = this->field_.mesh().shape(this->face_->face());
+  const double away = DistanceFromSides * 0.5 * length;
+  std::size_t nearest = 3;
+  double at = 0.0;
+  double longest = 2.0 * away; // shorter ones do no harm
+  for (std::size_t side = 0; side < 3; ++side)
+  {
+    if (point.weights[(side + 2) % 3] * shape.area2 / shape.length[side] < away)
+    {
+      const Vec2 begin = this->face_->points()[side].place;
+      const Vec2 along = this->face_->points()[(side + 1) % 3].place - begin;
+      const double way =
+        std::clamp(dot(along, point.place - begin) / dot(along, along), 0.0, 1.0);
+      const Id edge = this->edgeOfSide_[side];
+      const double place = this->isReversed(side) ? 1.0 - way : way;
+      const Id piece = std::min(
+        this->edges_.pieceFrom(edge, place), this->edges_[edge].numberOfPieces() - 1);
+      const double lengthOfPiece = this->edges_.lengthOfPiece(edge, piece);
+      if (lengthOfPiece > longest)
+      {
+        nearest = side;
+        longest = lengthOfPiece;
+        at = this->edges_.placeOfEnd(edge, piece);
+      }
+    }
+  }
+  if (nearest < 3)
+  {
+    this->request(open, nearest, at, 0.5);
+  }
+  return nearest < 3;
+}
+
+// Asks for a point on the piece that begins at a fraction of the edge.
+void FaceRefiner::request(const OpenPart& open, std::size_t side, double at, double weight)
+{
+  const Id edge = this->edgeOfSide_[side];
+  this->requests_->push_back(
+    { edge, this->edges_.pieceFrom(edge, at), open.reason, open.urgency, weight });
+  this->face_->part(open.part).state = FaceTriangles::State::Waiting;
+}
+
+// The deviation along a side between two points of the face.
+FaceRefiner::SideDeviation FaceRefiner::deviationOf(Id a, Id b)
+{
+  const std::size_t side = this->face_->sideWith(a, b);
+  if (side == 3)
+  {
+    const Deviation& inside = this->measured(std::min(a, b), std::max(a, b));
+    return { inside, a < b ? inside.at() : 1.0 - inside.at() };
+  }
+  const Id edge = this->edgeOfSide_[side];
+  const double fromA = this->alongEdge(side, a);
+  const double fromB = this->alongEdge(side, b);
+  const Deviation& piece =
+    this->edges_[edge].pieces[this->edges_.pieceFrom(edge, std::min(fromA, fromB))];
+  return { piece, fromA < fromB ? piece.at() : 1.0 - piece.at() };
+}
+
+// From the lower point to the higher one, to the last digit the same from both sides.
+const Deviation& FaceRefiner::measured(Id a, Id b)
+{
+  const auto [found, isNew] =
+    this->inside_.emplace((static_cast<std::uint64_t>(a) << 32) | b, Deviation());
+  if (isNew)
+  {
+    const FaceTriangles::Point& begin = this->face_->points()[a];
+    const FaceTriangles::Point& end = this->face_->points()[b];
+    found->second =
+      largestDeviation(this->envelope_.along(*this->distance_, begin.place, end.place),
+        norm(end.place - begin.place), begin.here, end.here);
+  }
+  return found->second;
+}
+
+// In an approximate field the faces around a point differ by what merging has changed, which no
+// refinement can undo. The triangle gets the rest of the tolerance, but at least half of it. A
+// triangle as small as the tolerance passes.
+FaceRefiner::Check FaceRefiner::check(const Triangle& corners, bool isTight)
+{
+  LinearPiece linear;
+  double largest = 0.0;
+  double difference = 0.0;
+  Deviation onSides;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const FaceTriangles::Point& point = this->face_->points()[corners[k]];
+    linear.corners[k] = point.place;
+    linear.values[k] = point.here;
+    largest = std::max(largest, point.distance);
+    difference = std::max(difference, std::abs(point.here - point.distance));
+    onSides.widen(this->deviationOf(corners[k], corners[(k + 1) % 3]).deviation);
+  }
+  const double rounding = tolerance::FaceRounding * largest;
+  const double limit = std::max(this->tolerance_ - difference - rounding, 0.5 * this->tolerance_);
+  const bool isSmall = longestEdge(linear.corners) <= limit;
+  if (onSides.largest() > limit && !isSmall && !isTight)
+  {
+    return { false, Infinity, onSides.largest(), limit };
+  }
+  const ErrorInside inside =
+    this->error_.of(*this->distance_, linear, onSides, limit, isTight || isSmall);
+  const double own = std::max(inside.bound, onSides.largest());
+  return { isSmall || own <= limit, own + rounding + difference, inside.sample, limit };
+}
+
+double FaceRefiner::tightBound(FaceTriangles& face, Id part)
+{
+  this->enter(face);
+  return this->check(face.parts()[part].corners, true).bound;
+}
+
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_FaceTriangles_h
+#define geodesic_FaceTriangles_h
+
+#include "mesh/HalfedgeFrame.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace geodesic
+{
+
+/// The triangulation of one face under refinement. It begins as the face. Points come only by
+/// splitting a side of a triangle; besides, two triangles can flip the side between them.
+///
+/// Points are numbered within the face: its corners are 0, 1, 2. Triangles have the orientation of
+/// the face.
+class FaceTriangles
+{
+public:
+  struct Point
+  {
+    Barycentric weights;
+    /// In the plane of FaceDistance.
+    Vec2 place;
+    /// As in the result; and according to this face, which differs in an approximate field.
+    double distance;
+    double here;
+    /// Of a vertex or a point on an edge, see PointOnEdge; NoId inside the face.
+    Id number = NoId;
+    /// The points of this face between which it was put, and the fraction of the way: inside only.
+    std::array<Id, 2> parents = { NoId, NoId };
+    double weight = 0.0;
+    /// A bit for each of the face's sides on which it lies.
+    std::uint8_t sides = 0;
+    /// Whether shapes alone have asked for it: inside only.
+    bool isForShape = false;
+  };
+
+  enum class State : std::uint8_t
+  {
+    /// New or changed, or left over the tolerance as the face has as many points as it may have.
+    Unknown,
+    Passed,
+    /// Waits for a point on an edge.
+    Waiting
+  };
+
+  struct Part
+  {
+    Triangle corners;
+    /// The triangle across the side from corner k to corner k + 1; NoId on a side of the face.
+    std::array<Id, 3> across = { NoId, NoId, NoId };
+    State state = State::Unknown;
+    /// How often it has changed.
+    Id version = 0;
+    /// Certified, if it has passed: the difference to the distance is nowhere larger.
+    double bound = 0.0;
+  };
+
+  FaceTriangles(Id face, const std::array<Point, 3>& corners);
+
+  Id face() const { return this->face_; }
+  const std::vector<Point>& points() const { return this->points_; }
+  const std::vector<Part>& parts() const { return this->parts_; }
+  Part& part(Id part) { return this->parts_[part]; }
+  Id numberOfParts() const { return static_cast<Id>(this->parts_.size()); }
+  std::array<Vec2, 3> places(const Triangle& corners) const;
+
+  /// The side of the face on which both points lie; 3 if there is none.
+  std::size_t sideWith(Id a, Id b) const;
+  /// Whether the triangle has the face's orientation, by more than rounding. Points of one side of
+  /// the face are none, whatever rounding says.
+  bool isTriangle(const Triangle& corners) const;
+
+  Id addPoint(const Point& point);
+  /// Splits the side from corner k to corner k + 1, and the triangle across. The part keeps the half
+  /// that begins at corner k. \returns the new part with the other half, at its side k, too.
+  Id split(Id part, std::size_t k, Id point);
+  /// The two triangles that a flip of side k would make.
+  std::array<Triangle, 2> flipped(Id part, std::size_t k) const;
+  void flip(Id part, std::size_t k);
+  /// Flips sides of triangles that have changed, and what follows, until each point is outside of
+  /// the circles of its neighbours: Delaunay's triangles, whose smallest angle is the largest.
+  void flipChanged();
+  /// The triangles that have changed since the last call, ascending.
+  std::vector<Id> takeChanged();
+
+private:
+  void change(Id part);
+  std::size_t sideTo(Id part, Id other) const;
+  void relink(Id part, Id before, Id now);
+  bool isInCircle(Id part, std::size_t k) const;
+
+  Id face_;
+  std::vector<Point> points_;
+  std::vector<Part> parts_;
+  std::vector<Id> changed_;
+};
+
+}
+
+#endif

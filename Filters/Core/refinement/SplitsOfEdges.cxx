@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refinement/SplitsOfEdges.h"
+
+#include "Exchange.h"
+#include "mesh/MeshPartition.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// An edge as all ranks know it that own a face there: the face with its lowest halfedge, and the
+/// halfedge's number in it.
+struct EdgeAddress
+{
+  RankAddress face;
+  Id halfedge;
+};
+
+struct RequestMessage
+{
+  EdgeAddress edge;
+  SplitRequest request;
+};
+
+struct SplitMessage
+{
+  EdgeAddress edge;
+  EdgeSplit split;
+};
+
+EdgeAddress addressOf(const MeshPartition& surface, Id halfedge)
+{
+  return { surface.addressOf(TriangleMesh::faceOf(halfedge)), TriangleMesh::indexInFace(halfedge) };
+}
+
+Id edgeAt(const MeshPartition& surface, CutEdges& edges, const EdgeAddress& address)
+{
+  return edges.ensure(TriangleMesh::halfedgeOf(surface.faceAt(address.face), address.halfedge));
+}
+
+bool isSamePiece(const SplitRequest& a, const SplitRequest& b)
+{
+  return a.edge == b.edge && a.piece == b.piece;
+}
+
+// The most urgent request for each piece, by edges and pieces. The last pieces of an edge come first,
+// as splits change the numbers of those behind them.
+void keepMostUrgent(std::vector<SplitRequest>& requests)
+{
+  std::sort(requests.begin(), requests.end(),
+    [](const SplitRequest& a, const SplitRequest& b)
+    {
+      return std::tuple(a.edge, b.piece, a.reason, b.urgency, a.weight) <
+        std::tuple(b.edge, a.piece, b.reason, a.urgency, b.weight);
+    });
+  requests.erase(std::unique(requests.begin(), requests.end(), isSamePiece), requests.end());
+}
+
+} // anonymous namespace
+
+std::vector<std::uint8_t> frozenOnAnyRank(
+  const MeshPartition& surface, const std::vector<std::uint8_t>& isFrozen)
+{
+  std::vector<std::uint8_t> isFrozenThere = isFrozen;
+  if (!surface.isDistributed())
+  {
+    return isFrozenThere;
+  }
+  // Each rank tells those that have a copy of a frozen face: those that have one of its vertices.
+  std::fill(isFrozenThere.begin(), isFrozenThere.end(), std::uint8_t{ 0 });
+  std::vector<Message> messages = surface.exchange().noMessages();
+  for (Id face = surface.firstOwnFace(); face < surface.endOfOwnFaces(); ++face)
+  {
+    isFrozenThere[face] = isFrozen[face];
+    for (const Id vertex : surface.mesh().triangle(face))
+    {
+      for (const RankAddress& other : surface.othersWith(vertex))
+      {
+        if (isFrozen[face] != 0)
+        {
+          put(messages[rankIndex(other.rank)], face);
+        }
+      }
+    }
+  }
+  readEach(surface.exchange().step(std::move(messages)),
+    [&](int rank, MessageReader& reader)
+    { isFrozenThere[surface.copyOf({ rank, reader.get<Id>() })] = 1; });
+  return isFrozenThere;
+}
+
+SplitsOfEdges::SplitsOfEdges(const DistanceField& field, CutEdges& edges,
+  const std::vector<std::uint8_t>& isFrozen, const std::vector<std::uint8_t>& isFrozenThere,
+  double tolerance, const Job& job)
+  : field_(field)
+  , edges_(edges)
+  , isFrozen_(isFrozen)
+  , isFrozenThere_(isFrozenThere)
+  , tolerance_(tolerance)
+  , job_(job)
+{
+}
+
+// Runs item(splitter, i) for i below the count.
+template <typename Item>
+void SplitsOfEdges::run(std::size_t count, const Item& item)
+{
+  this->job_.loopByTasks(
+    count,
+    [this](std::size_t tasks)
+    {
+      while (this->splitters_.size() < tasks)
+      {
+        this->splitters_.push_back(std::make_unique<EdgeSplitter>(
+          this->field_, this->edges_, this->isFrozen_, this->tolerance_));
+      }
+    },
+    [&](std::size_t task, std::size_t i) { item(*this->splitters_[task], i); });
+}
+
+std::vector<SplitRequest> SplitsOfEdges::measureNew()
+{
+  std::vector<Id> unknown;
+  for (Id edge = this->measured_; edge < this->edges_.size(); ++edge)
+  {
+    if (this->edges_[edge].pieces.empty())
+    {
+      unknown.push_back(edge);
+    }
+  }
+  this->measured_ = this->edges_.size();
+  std::vector<std::vector<EdgeSplit>> splits(unknown.size());
+  this->run(unknown.size(),
+    [&](EdgeSplitter& splitter, std::size_t i)
+    {
+      this->edges_[unknown[i]].pieces = splitter.measure(unknown[i]);
+      splits[i] = splitter.fewestSplits(unknown[i]);
+    });
+  std::vector<SplitRequest> requests;
+  for (std::size_t i = 0; i < unknown.size(); ++i)
+  {
+    if (!splits[i].empty())
+    {
+      const double deviation = this->edges_[unknown[i]].pieces.front().largest();
+      requests.push_back({ unknown[i], 0, SplitReason::Error, deviation, 0.5 });
+      this->fewest_.emplace(unknown[i], std::move(splits[i]));
+    }
+  }
+  return requests;
+}
+
+std::vector<Id> SplitsOfEdges::split(std::vector<SplitRequest> requests)
+{
+  requests = this->gather(std::move(requests));
+  std::vector<Id> edges;
+  std::vector<std::size_t> first;
+  for (std::size_t i = 0; i < requests.size(); ++i)
+  {
+    if (edges.empty() || edges.back() != requests[i].edge)
+    {
+      edges.push_back(requests[i].edge);
+      first.push_back(i);
+    }
+  }
+  first.push_back(requests.size());
+  std::vector<std::vector<EdgeSplit>> splits(edges.size());
+  this->run(edges.size(),
+    [&](EdgeSplitter& splitter, std::size_t i)
+    {
+      splits[i] =
+        this->decide(splitter, requests.data() + first[i], requests.data() + first[i + 1]);
+    });
+  const std::vector<Id> changed = this->share(edges, splits);
+  this->fewest_.clear();
+  this->measure(changed);
+  return changed;
+}
+
+// Faces are in the order of the ranks, and siblings in the order of the faces.
+int SplitsOfEdges::deciderOf(Id edge) const
+{
+  const MeshPartition& surface = this->field_.surface();
+  int rank = surface.exchange().rank();
+  bool isFound = !surface.isDistributed();
+  if (!isFound)
+  {
+    forEachFace(surface.mesh(), SurfacePoint::onEdge(this->edges_[edge].halfedge, 0.5),
+      [&](Id face)
+      {
+        if (!isFound && this->isFrozenThere_[face] == 0)
+        {
+          rank = surface.addressOf(face).rank;
+          isFound = true;
+        }
+      });
+  }
+  return rank;
+}
+
+// The requests about which this rank decides.
+std::vector<SplitRequest> SplitsOfEdges::gather(std::vector<SplitRequest> requests)
+{
+  const MeshPartition& surface = this->field_.surface();
+  keepMostUrgent(requests);
+  if (!surface.isDistributed())
+  {
+    return requests;
+  }
+  std::vector<Message> messages = surface.exchange().noMessages();
+  std::vector<SplitRequest> own;
+  for (const SplitRequest& request : requests)
+  {
+    const int decider = this->deciderOf(request.edge);
+    if (decider == surface.exchange().rank())
+    {
+      own.push_back(request);
+    }
+    else
+    {
+      put(messages[rankIndex(decider)],
+        RequestMessage{ addressOf(surface, this->edges_[request.edge].halfedge), request });
+    }
+  }
+  readEach(surface.exchange().step(std::move(messages)),
+    [&](int, MessageReader& reader)
+    {
+      RequestMessage message = reader.get<RequestMessage>();
+      message.request.edge = edgeAt(surface, this->edges_, message.edge);
+      own.push_back(message.request);
+    });
+  keepMostUrgent(own);
+  return own;
+}
+
+std::vector<EdgeSplit> SplitsOfEdges::decide(
+  EdgeSplitter& splitter, const SplitRequest* first, const SplitRequest* last)
+{
+  const Id edge = first->edge;
+  std::vector<EdgeSplit> splits;
+  if (this->edges_[edge].points.empty() && first->reason == SplitReason::Error)
+  {
+    const auto known = this->fewest_.find(edge);
+    splits = known == this->fewest_.end() ? splitter.fewestSplits(edge) : known->second;
+  }
+  for (; first != last && (splits.empty() || !this->edges_[edge].points.empty()); ++first)
+  {
+    splits.push_back(
+      splitter.split(edge, first->piece, first->weight, first->reason == SplitReason::Shape));
+  }
+  return splits;
+}
+
+void SplitsOfEdges::apply(Id edge, const EdgeSplit& split)
+{
+  this->edges_.split(edge, split.piece, split.weight, split.distance, split.isForShape);
+}
+
+// Makes this rank's splits, tells the other ranks with faces there, and makes theirs.
+std::vector<Id> SplitsOfEdges::share(
+  const std::vector<Id>& edges, const std::vector<std::vector<EdgeSplit>>& splits)
+{
+  const MeshPartition& surface = this->field_.surface();
+  std::vector<Message> messages = surface.exchange().noMessages();
+  std::vector<Id> changed = edges;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    const Id halfedge = this->edges_[edges[i]].halfedge;
+    const std::vector<int> others =
+      surface.isDistributed() ? surface.otherRanksAt(halfedge) : std::vector<int>();
+    for (const EdgeSplit& split : splits[i])
+    {
+      this->apply(edges[i], split);
+      for (const int other : others)
+      {
+        put(messages[rankIndex(other)], SplitMessage{ addressOf(surface, halfedge), split });
+      }
+    }
+  }
+  if (surface.isDistributed())
+  {
+    readEach(surface.exchange().step(std::move(messages)),
+      [&](int, MessageReader& reader)
+      {
+        const auto message = reader.get<SplitMessage>();
+        changed.push_back(edgeAt(surface, this->edges_, message.edge));
+        this->apply(changed.back(), message.split);
+      });
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  }
+  return changed;
+}
+
+void SplitsOfEdges::measure(const std::vector<Id>& edges)
+{
+  this->run(edges.size(),
+    [&](EdgeSplitter& splitter, std::size_t i)
+    { this->edges_[edges[i]].pieces = splitter.measure(edges[i]); });
+}
+
+}

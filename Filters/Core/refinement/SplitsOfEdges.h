@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_SplitsOfEdges_h
+#define geodesic_SplitsOfEdges_h
+
+#include "Job.h"
+#include "refinement/EdgeSplitter.h"
+#include "refinement/FaceRefiner.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace geodesic
+{
+
+/// For each face, whether it is not refined on the rank that owns it. All ranks call this together.
+///
+/// \param isFrozen of this rank's faces.
+std::vector<std::uint8_t> frozenOnAnyRank(
+  const MeshPartition& surface, const std::vector<std::uint8_t>& isFrozen);
+
+/// Puts points on edges, as faces have asked for them. Faces of several ranks at an edge get the same
+/// points, bit for bit: the lowest rank that refines a face there decides for all.
+class SplitsOfEdges
+{
+public:
+  /// All arguments must outlive this.
+  ///
+  /// \param isFrozen faces that this rank does not refine.
+  /// \param isFrozenThere see frozenOnAnyRank().
+  SplitsOfEdges(const DistanceField& field, CutEdges& edges,
+    const std::vector<std::uint8_t>& isFrozen, const std::vector<std::uint8_t>& isFrozenThere,
+    double tolerance, const Job& job);
+
+  /// Measures the edges that have been added since the last call. \returns for each one over the
+  /// tolerance a request to split it.
+  std::vector<SplitRequest> measureNew();
+  /// Makes the splits that any rank asks for: of several for one piece, the most urgent one. An edge
+  /// without points that is over the tolerance is cut into the fewest pieces at once. A collective
+  /// call of all ranks.
+  ///
+  /// \returns the edges that have new points, ascending.
+  std::vector<Id> split(std::vector<SplitRequest> requests);
+
+private:
+  template <typename Item>
+  void run(std::size_t count, const Item& item);
+  int deciderOf(Id edge) const;
+  std::vector<SplitRequest> gather(std::vector<SplitRequest> requests);
+  std::vector<EdgeSplit> decide(
+    EdgeSplitter& splitter, const SplitRequest* first, const SplitRequest* last);
+  std::vector<Id> share(const std::vector<Id>& edges, const std::vector<std::vector<EdgeSplit>>& splits);
+  void apply(Id edge, const EdgeSplit& split);
+  void measure(const std::vector<Id>& edges);
+
+  const DistanceField& field_;
+  CutEdges& edges_;
+  const std::vector<std::uint8_t>& isFrozen_;
+  const std::vector<std::uint8_t>& isFrozenThere_;
+  double tolerance_;
+  const Job& job_;
+  std::vector<std::unique_ptr<EdgeSplitter>> splitters_;
+  Id measured_ = 0;
+  /// For edges over the tolerance that have just been measured.
+  std::unordered_map<Id, std::vector<EdgeSplit>> fewest_;
+};
+
+}
+
+#endif
