@@ -58,8 +58,8 @@ public:
   {
   }
 
-  /// The longest side of a triangle in an open face that must be split, as there is a border between
-  /// its corners; else 0.
+  /// The longest side of a triangle in an open face that must be split, as there is a border
+  /// between its corners; else 0.
   double lengthAtBorder(const FaceTriangles& face, const Triangle& c)
   {
     std::array<Corner, 3> corners;
@@ -98,7 +98,8 @@ private:
 
   double lengthAtBorder(const std::array<Corner, 3>& c) const
   {
-    if (!(isBorderBetween(c[0], c[1]) || isBorderBetween(c[1], c[2]) || isBorderBetween(c[2], c[0])))
+    if (!(isBorderBetween(c[0], c[1]) || isBorderBetween(c[1], c[2]) ||
+          isBorderBetween(c[2], c[0])))
     {
       return 0.0;
     }
@@ -179,8 +180,8 @@ struct Task
   const MeshPartition& surface() const { return this->field.surface(); }
 };
 
-/// Refines a surface to a tolerance, in rounds. In a round faces with new points on their edges work,
-/// each by itself, and ask for more points on edges; then edges get those.
+/// Refines a surface to a tolerance, in rounds. In a round faces with new points on their edges
+/// work, each by itself, and ask for more points on edges; then edges get those.
 class Refiner
 {
 public:
@@ -188,8 +189,8 @@ public:
     : task_(task)
     , tolerance_(tolerance)
     , faces_(task.field)
-    , splits_(task.field, faces_.edges, task.isFrozen, task.isFrozenThere, tolerance,
-        task.options.job)
+    , splits_(
+        task.field, faces_.edges, task.isFrozen, task.isFrozenThere, tolerance, task.options.job)
     , regions_(faces_, task.options, tolerance)
     , numberOfTriangles_(task.surface().endOfOwnFaces() - task.surface().firstOwnFace())
     , bound_(task.surface().exchange().largestOf(task.field.droppedErrorBound()))
@@ -389,8 +390,8 @@ private:
     const auto refine = [&](std::size_t task, std::size_t i)
     {
       FaceTriangles& face = this->faces_.triangles(due[i]);
-      isDone[i] = this->refiners_[task]->refine(
-                    face, this->mostPartsOf(due[i]), lengthAtBorder, requests[i])
+      isDone[i] =
+        this->refiners_[task]->refine(face, this->mostPartsOf(due[i]), lengthAtBorder, requests[i])
         ? 1
         : 0;
     };
@@ -429,13 +430,13 @@ private:
   {
     while (this->refiners_.size() < count)
     {
-      this->refiners_.push_back(std::make_unique<FaceRefiner>(
-        this->task_.field, this->faces_.edges, this->tolerance_));
+      this->refiners_.push_back(
+        std::make_unique<FaceRefiner>(this->task_.field, this->faces_.edges, this->tolerance_));
     }
   }
 
-  /// A limit that no face reaches: triangles as small as the tolerance pass, so that splits leave no
-  /// sides much shorter.
+  /// A limit that no face reaches: triangles as small as the tolerance pass, so that splits leave
+  /// no sides much shorter.
   std::uint64_t mostPartsOf(Id face) const
   {
     const double across = this->task_.surface().mesh().shape(face).longest() / this->tolerance_;
@@ -493,7 +494,8 @@ private:
       }
       triangles.clear();
       appendTriangles(this->faces_, face, {}, triangles);
-      if (std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& corners)
+      if (std::any_of(triangles.begin(), triangles.end(),
+            [&](const Triangle& corners)
             { return this->regions_.lengthAtBorder(face, corners) > 0.0; }))
       {
         unknown.push_back(face);

@@ -26,7 +26,7 @@ Id CutEdges::find(Id halfedge) const
 Id CutEdges::endOfPiece(Id edge, Id end) const
 {
   const CutEdge& e = this->edges_[edge];
-  return end == 0 ? this->mesh_.origin(e.halfedge)
+  return end == 0               ? this->mesh_.origin(e.halfedge)
     : end == e.numberOfPieces() ? this->mesh_.destination(e.halfedge)
                                 : e.points[end - 1];
 }
@@ -34,9 +34,7 @@ Id CutEdges::endOfPiece(Id edge, Id end) const
 double CutEdges::placeOfEnd(Id edge, Id end) const
 {
   const CutEdge& e = this->edges_[edge];
-  return end == 0 ? 0.0
-    : end == e.numberOfPieces() ? 1.0
-                                : this->point(e.points[end - 1]).at;
+  return end == 0 ? 0.0 : end == e.numberOfPieces() ? 1.0 : this->point(e.points[end - 1]).at;
 }
 
 double CutEdges::lengthOfPiece(Id edge, Id piece) const
@@ -60,8 +58,7 @@ void CutEdges::split(Id edge, Id piece, double weight, double distance, bool isF
   const double to = this->placeOfEnd(edge, piece + 1);
   const Id number = this->mesh_.numberOfVertices() + static_cast<Id>(this->points_.size());
   this->points_.push_back({ edge, from + weight * (to - from), distance,
-    { this->endOfPiece(edge, piece), this->endOfPiece(edge, piece + 1) }, weight,
-    isForShape });
+    { this->endOfPiece(edge, piece), this->endOfPiece(edge, piece + 1) }, weight, isForShape });
   e.points.insert(e.points.begin() + static_cast<std::ptrdiff_t>(piece), number);
   if (e.pieces.empty())
   {

@@ -83,8 +83,7 @@ double DistanceAlongEdge::furthest(double from, double to, double guess, double 
   return within;
 }
 
-std::vector<double> DistanceAlongEdge::stepsWithin(
-  double from, double to, double tolerance) const
+std::vector<double> DistanceAlongEdge::stepsWithin(double from, double to, double tolerance) const
 {
   std::vector<double> places;
   double guess = to - from;
@@ -116,9 +115,9 @@ std::vector<double> DistanceAlongEdge::cutsWithKink(double from, double to, doub
 // If the k-th of n cuts is put between the furthest from the one end and the furthest from the
 // other, at k / (n + 1) of the way, pieces are equal where the curvature is. The furthest from the
 // one end if that does not suffice.
-std::vector<double> DistanceAlongEdge::evenCuts(double from, double to, double tolerance) const
+std::vector<double> DistanceAlongEdge::evenCuts(
+  double from, double to, double tolerance, const std::vector<double>& forward) const
 {
-  std::vector<double> forward = this->stepsWithin(from, to, tolerance);
   const std::vector<double> backward = this->stepsWithin(to, from, tolerance);
   const std::size_t count = forward.size();
   if (backward.size() != count)
@@ -142,9 +141,10 @@ std::vector<double> DistanceAlongEdge::evenCuts(double from, double to, double t
 
 std::vector<double> DistanceAlongEdge::cuts(double from, double to, double tolerance) const
 {
-  std::vector<double> even = this->evenCuts(from, to, tolerance);
+  const std::vector<double> forward = this->stepsWithin(from, to, tolerance);
   std::vector<double> withKink = this->cutsWithKink(from, to, tolerance);
-  return withKink.size() <= even.size() ? withKink : even;
+  return withKink.size() <= forward.size() ? withKink
+                                           : this->evenCuts(from, to, tolerance, forward);
 }
 
 }

@@ -56,10 +56,8 @@ const DistanceAlongEdge& EdgeSplitter::along(Id edge)
     this->forEachFaceToMeasure(edge,
       [&](const FaceDistance& face)
       {
-        const auto place = [&](double at)
-        {
-          return face.inPlane(
-            barycentric(mesh, SurfacePoint::onEdge(halfedge, at), face.face()));
+        const auto place = [&](double at) {
+          return face.inPlane(barycentric(mesh, SurfacePoint::onEdge(halfedge, at), face.face()));
         };
         const Vec2 begin = place(0.0);
         this->along_.add(this->envelope_.along(face, begin, place(1.0)), face.distance(begin));
@@ -81,10 +79,18 @@ double EdgeSplitter::distanceAt(Id edge, double at)
   this->forEachFaceToMeasure(edge,
     [&](const FaceDistance& face)
     {
-      least = std::min(least,
-        face.distance(face.inPlane(barycentric(this->field_.mesh(), place, face.face()))));
+      least = std::min(
+        least, face.distance(face.inPlane(barycentric(this->field_.mesh(), place, face.face()))));
     });
   return least;
+}
+
+Deviation EdgeSplitter::deviation(
+  Id edge, double from, double to, const std::array<double, 2>& ends)
+{
+  const double length = this->edges_[edge].length;
+  const bool isExact = this->field_.relativeErrorBound() == 0.0;
+  return this->along(edge).deviation(from * length, to * length, isExact ? &ends : nullptr);
 }
 
 std::vector<Deviation> EdgeSplitter::measure(Id edge)
@@ -92,52 +98,61 @@ std::vector<Deviation> EdgeSplitter::measure(Id edge)
   const CutEdge& e = this->edges_[edge];
   std::vector<Deviation> pieces = e.pieces;
   pieces.resize(e.numberOfPieces(), Deviation::unknown());
-  const bool isExact = this->field_.relativeErrorBound() == 0.0;
   for (Id piece = 0; piece < e.numberOfPieces(); ++piece)
   {
-    if (pieces[piece].isKnown())
+    if (!pieces[piece].isKnown())
     {
-      continue;
+      pieces[piece] = this->deviation(edge, this->edges_.placeOfEnd(edge, piece),
+        this->edges_.placeOfEnd(edge, piece + 1),
+        { this->distanceOfPoint(this->edges_.endOfPiece(edge, piece)),
+          this->distanceOfPoint(this->edges_.endOfPiece(edge, piece + 1)) });
     }
-    const std::array<double, 2> ends = {
-      this->distanceOfPoint(this->edges_.endOfPiece(edge, piece)),
-      this->distanceOfPoint(this->edges_.endOfPiece(edge, piece + 1))
-    };
-    pieces[piece] = this->along(edge).deviation(this->edges_.placeOfEnd(edge, piece) * e.length,
-      this->edges_.placeOfEnd(edge, piece + 1) * e.length, isExact ? &ends : nullptr);
   }
   return pieces;
 }
 
 // The triangles at the pieces have a little less than the tolerance: what rounding takes of it, and
 // in an approximate field what merging does.
-std::vector<EdgeSplit> EdgeSplitter::fewestSplits(Id edge)
+EdgeCuts EdgeSplitter::fewestCuts(Id edge)
 {
   const CutEdge& e = this->edges_[edge];
+  const std::array<double, 2> ends = { this->distanceOfPoint(this->edges_.endOfPiece(edge, 0)),
+    this->distanceOfPoint(this->edges_.endOfPiece(edge, 1)) };
   const double merged =
     this->field_.relativeErrorBound() > 0.0 ? maximumMergedFor(this->tolerance_) : 0.0;
-  const double largest = std::max(this->distanceOfPoint(this->edges_.endOfPiece(edge, 0)),
-    this->distanceOfPoint(this->edges_.endOfPiece(edge, 1)));
-  const double limit = std::max(
-    this->tolerance_ - merged - tolerance::FaceRounding * largest, 0.5 * this->tolerance_);
-  std::vector<EdgeSplit> splits;
+  const double rounding = tolerance::FaceRounding * std::max(ends[0], ends[1]);
+  const double limit = std::max(this->tolerance_ - merged - rounding, 0.5 * this->tolerance_);
   if (!(this->along(edge).deviation(0.0, e.length, nullptr).largest() > limit))
   {
-    return splits;
+    return {};
   }
   std::vector<double> places = this->along(edge).cuts(0.0, e.length, limit);
   for (double& place : places)
   {
     place /= e.length;
   }
-  this->addSplits(edge, { places.data(), places.data() + places.size() }, 0.0, 1.0, 0, splits);
-  return splits;
+  EdgeCuts cuts;
+  std::vector<std::pair<double, double>> points = { { 0.0, ends[0] }, { 1.0, ends[1] } };
+  this->addSplits(
+    edge, { places.data(), places.data() + places.size() }, 0.0, 1.0, 0, cuts.splits, points);
+  if (cuts.splits.empty())
+  {
+    return {}; // all places are ends
+  }
+  std::sort(points.begin(), points.end());
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    cuts.pieces.push_back(this->deviation(
+      edge, points[i - 1].first, points[i].first, { points[i - 1].second, points[i].second }));
+  }
+  return cuts;
 }
 
-// The cut nearest to the middle of a piece comes first, so that both parts are about as long, and
-// the last part's cuts before the first's, which change the numbers of the pieces behind.
+// Appends the splits, and each point's place and distance. The cut nearest to the middle of a piece
+// comes first, so that both parts are about as long, and the last part's cuts before the first's,
+// which change the numbers of the pieces behind.
 void EdgeSplitter::addSplits(Id edge, ArrayRange<double> places, double from, double to, Id piece,
-  std::vector<EdgeSplit>& splits)
+  std::vector<EdgeSplit>& splits, std::vector<std::pair<double, double>>& points)
 {
   const auto weightOf = [&](double place) { return (place - from) / (to - from); };
   const auto fromMiddle = [&](double place) { return std::abs(weightOf(place) - 0.5); };
@@ -149,9 +164,10 @@ void EdgeSplitter::addSplits(Id edge, ArrayRange<double> places, double from, do
   }
   const double weight = std::clamp(weightOf(*best), LeastWeight, 1.0 - LeastWeight);
   const double at = from + weight * (to - from);
-  splits.push_back({ piece, false, weight, this->distanceAt(edge, at) });
-  this->addSplits(edge, { best + 1, places.end() }, at, to, piece + 1, splits);
-  this->addSplits(edge, { places.begin(), best }, from, at, piece, splits);
+  points.emplace_back(at, this->distanceAt(edge, at));
+  splits.push_back({ piece, false, weight, points.back().second });
+  this->addSplits(edge, { best + 1, places.end() }, at, to, piece + 1, splits, points);
+  this->addSplits(edge, { places.begin(), best }, from, at, piece, splits, points);
 }
 
 EdgeSplit EdgeSplitter::split(Id edge, Id piece, double weight, bool isForShape)

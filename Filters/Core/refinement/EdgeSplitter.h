@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -23,9 +24,16 @@ struct EdgeSplit
   double distance;
 };
 
-/// Measures edges in the faces around them that are refined: in an exact field in the first of them,
-/// as one face determines the whole distance along its edge. In an approximate field faces may
-/// differ: the largest deviation counts, and a point has the least distance.
+/// How an edge is cut: its splits, one after another, and the deviations of the pieces in the end.
+struct EdgeCuts
+{
+  std::vector<EdgeSplit> splits;
+  std::vector<Deviation> pieces;
+};
+
+/// Measures edges in the faces around them that are refined: in an exact field in the first of
+/// them, as one face determines the whole distance along its edge. In an approximate field faces
+/// may differ: the largest deviation counts, and a point has the least distance.
 ///
 /// One object serves one edge after another and reuses its memory. Edges do not change meanwhile.
 class EdgeSplitter
@@ -45,9 +53,9 @@ public:
 
   /// The deviations of an edge's pieces, of which those not yet known are measured.
   std::vector<Deviation> measure(Id edge);
-  /// The places that cut an edge without points into the fewest pieces within the tolerance; none if
-  /// it is within the tolerance.
-  std::vector<EdgeSplit> fewestSplits(Id edge);
+  /// The places that cut an edge without points into the fewest pieces within the tolerance; none
+  /// if it is within the tolerance.
+  EdgeCuts fewestCuts(Id edge);
   /// Adds the distance to a split.
   EdgeSplit split(Id edge, Id piece, double weight, bool isForShape);
 
@@ -58,8 +66,9 @@ private:
   const DistanceAlongEdge& along(Id edge);
   double distanceAt(Id edge, double at);
   void addSplits(Id edge, ArrayRange<double> places, double from, double to, Id piece,
-    std::vector<EdgeSplit>& splits);
+    std::vector<EdgeSplit>& splits, std::vector<std::pair<double, double>>& points);
   double distanceOfPoint(Id point) const;
+  Deviation deviation(Id edge, double from, double to, const std::array<double, 2>& ends);
 
   const DistanceField& field_;
   const CutEdges& edges_;

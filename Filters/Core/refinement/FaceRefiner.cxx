@@ -22,8 +22,8 @@ constexpr double LeastAngleFraction = 0.5;
 // make it too small again.
 constexpr double AngleMargin = 1.05;
 
-// A triangle is not split for its shape unless its sides differ by more than this factor: so no side
-// gets shorter than the shortest one, and splitting ends.
+// A triangle is not split for its shape unless its sides differ by more than this factor: so no
+// side gets shorter than the shortest one, and splitting ends.
 constexpr double UnequalSides = 2.0;
 
 // A face may be split this often for its shapes, and this often more for each point that errors
@@ -50,8 +50,7 @@ std::array<double, 3> lengthsOf(const std::array<Vec2, 3>& c)
 
 std::size_t indexOfLargest(const std::array<double, 3>& values)
 {
-  return static_cast<std::size_t>(
-    std::max_element(values.begin(), values.end()) - values.begin());
+  return static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
 }
 
 } // anonymous namespace
@@ -156,8 +155,7 @@ FaceTriangles::Point FaceRefiner::pointOnEdge(std::size_t side, Id number) const
     SurfacePoint::onEdge(this->edges_[on.edge].halfedge, on.at), this->face_->face());
   point.place = this->distance_->inPlane(point.weights);
   point.distance = on.distance;
-  point.here =
-    this->distance_->isExact() ? on.distance : this->distance_->distance(point.place);
+  point.here = this->distance_->isExact() ? on.distance : this->distance_->distance(point.place);
   point.number = number;
   point.sides = static_cast<std::uint8_t>(1U << side);
   return point;
@@ -176,45 +174,49 @@ void FaceRefiner::takePoints()
 void FaceRefiner::takePoints(std::size_t side)
 {
   std::vector<Id> numbers = this->edges_[this->edgeOfSide_[side]].points;
+  if (this->face_->pointsOn(side) == numbers.size())
+  {
+    return;
+  }
   if (this->isReversed(side))
   {
     std::reverse(numbers.begin(), numbers.end());
   }
   struct Piece
   {
+    Id from; // the number of the point where it begins
     Id part;
     std::size_t k;
+    bool operator<(const Piece& other) const { return this->from < other.from; }
   };
-  std::unordered_map<Id, Piece> from; // by the number of the point where a piece begins
-  std::size_t known = 0;
+  std::vector<Piece> pieces;
   for (Id part = 0; part < this->face_->numberOfParts(); ++part)
   {
     const FaceTriangles::Part& p = this->face_->parts()[part];
     for (std::size_t k = 0; k < 3; ++k)
     {
-      if (p.across[k] == NoId && this->face_->sideWith(p.corners[k], p.corners[(k + 1) % 3]) == side)
+      if (p.across[k] == NoId &&
+        this->face_->sideWith(p.corners[k], p.corners[(k + 1) % 3]) == side)
       {
-        from[this->face_->points()[p.corners[k]].number] = { part, k };
-        ++known;
+        pieces.push_back({ this->face_->points()[p.corners[k]].number, part, k });
       }
     }
   }
-  if (known == numbers.size() + 1)
-  {
-    return;
-  }
-  Piece last = from.at(this->face_->points()[side].number);
+  std::sort(pieces.begin(), pieces.end());
+  const auto find = [&pieces](Id number) {
+    return std::lower_bound(pieces.begin(), pieces.end(), Piece{ number, 0, 0 });
+  };
+  Piece last = *find(this->face_->points()[side].number);
   for (const Id number : numbers)
   {
-    const auto found = from.find(number);
-    if (found != from.end())
+    const auto found = find(number);
+    if (found != pieces.end() && found->from == number)
     {
-      last = found->second;
+      last = *found;
       continue;
     }
     const Id point = this->face_->addPoint(this->pointOnEdge(side, number));
-    const Id added = this->face_->split(last.part, last.k, point);
-    last.part = added;
+    last.part = this->face_->split(last.part, last.k, point);
   }
 }
 
@@ -268,7 +270,7 @@ double FaceRefiner::urgencyOfShape(Id part) const
   const auto lengths = lengthsOf(places);
   const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
   const double angle = smallestAngle(places);
-  return angle < this->leastAngle_ && *longest > UnequalSides * *shortest
+  return angle<this->leastAngle_&& * longest> UnequalSides * *shortest
     ? this->leastAngle_ / std::max(angle, tolerance::Rounding)
     : 0.0;
 }
@@ -373,9 +375,9 @@ bool FaceRefiner::mayImproveShape() const
   Id forShapes = 0;
   for (const FaceTriangles::Point& point : this->face_->points())
   {
-    const bool isForShape = point.number == NoId ? point.isForShape
-                                                 : !this->edges_.isVertex(point.number) &&
-        this->edges_.point(point.number).isForShape;
+    const bool isForShape = point.number == NoId
+      ? point.isForShape
+      : !this->edges_.isVertex(point.number) && this->edges_.point(point.number).isForShape;
     (isForShape ? forShapes : forErrors) += 1;
   }
   return forShapes < SplitsForShape + SplitsForShapePerPoint * forErrors;
@@ -396,8 +398,8 @@ bool FaceRefiner::flipIfBoth(Id part, std::size_t k)
   return true;
 }
 
-// Walks across the longest side as long as the next triangle's is longer. What is halved is then the
-// longest side of both triangles there.
+// Walks across the longest side as long as the next triangle's is longer. What is halved is then
+// the longest side of both triangles there.
 void FaceRefiner::halveLongest(const OpenPart& open)
 {
   Id part = open.part;
@@ -451,8 +453,7 @@ void FaceRefiner::splitInside(const OpenPart& open, Id part, std::size_t k, doub
 
 // Whether a point that splits a side of this length would lie too close to a side of the face. Then
 // the longest piece beside it is to be halved instead.
-bool FaceRefiner::asksBeside(
-  const OpenPart& open, const FaceTriangles::Point& point, double length)
+bool FaceRefiner::asksBeside(const OpenPart& open, const FaceTriangles::Point& point, double length)
 {
   const FaceShape& shape = this->field_.mesh().shape(this->face_->face());
   const double away = DistanceFromSides * 0.5 * length;
@@ -465,12 +466,11 @@ bool FaceRefiner::asksBeside(
     {
       const Vec2 begin = this->face_->points()[side].place;
       const Vec2 along = this->face_->points()[(side + 1) % 3].place - begin;
-      const double way =
-        std::clamp(dot(along, point.place - begin) / dot(along, along), 0.0, 1.0);
+      const double way = std::clamp(dot(along, point.place - begin) / dot(along, along), 0.0, 1.0);
       const Id edge = this->edgeOfSide_[side];
       const double place = this->isReversed(side) ? 1.0 - way : way;
-      const Id piece = std::min(
-        this->edges_.pieceFrom(edge, place), this->edges_[edge].numberOfPieces() - 1);
+      const Id piece =
+        std::min(this->edges_.pieceFrom(edge, place), this->edges_[edge].numberOfPieces() - 1);
       const double lengthOfPiece = this->edges_.lengthOfPiece(edge, piece);
       if (lengthOfPiece > longest)
       {

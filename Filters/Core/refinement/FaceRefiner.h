@@ -49,9 +49,9 @@ using LengthAtBorder = std::function<double(const FaceTriangles&, const Triangle
 /// asks for more points on its edges. One object serves one face after another and reuses its
 /// memory.
 ///
-/// The worst triangle comes first. If its worst side is on an edge, the face asks for a point there,
-/// and the triangle waits. Else the side flips if both new triangles pass, or is split where the
-/// deviation is largest. If only the inside is over the tolerance, the longest side is halved.
+/// The worst triangle comes first. If its worst side is on an edge, the face asks for a point
+/// there, and the triangle waits. Else the side flips if both new triangles pass, or is split where
+/// the deviation is largest. If only the inside is over the tolerance, the longest side is halved.
 class FaceRefiner
 {
 public:

@@ -68,6 +68,8 @@ public:
   Id numberOfParts() const { return static_cast<Id>(this->parts_.size()); }
   std::array<Vec2, 3> places(const Triangle& corners) const;
 
+  /// The number of points on a side, without its ends.
+  Id pointsOn(std::size_t side) const { return this->pointsOn_[side]; }
   /// The side of the face on which both points lie; 3 if there is none.
   std::size_t sideWith(Id a, Id b) const;
   /// Whether the triangle has the face's orientation, by more than rounding. Points of one side of
@@ -75,8 +77,8 @@ public:
   bool isTriangle(const Triangle& corners) const;
 
   Id addPoint(const Point& point);
-  /// Splits the side from corner k to corner k + 1, and the triangle across. The part keeps the half
-  /// that begins at corner k. \returns the new part with the other half, at its side k, too.
+  /// Splits the side from corner k to corner k + 1, and the triangle across. The part keeps the
+  /// half that begins at corner k. \returns the new part with the other half, at its side k, too.
   Id split(Id part, std::size_t k, Id point);
   /// The two triangles that a flip of side k would make.
   std::array<Triangle, 2> flipped(Id part, std::size_t k) const;
@@ -96,6 +98,7 @@ private:
   Id face_;
   std::vector<Point> points_;
   std::vector<Part> parts_;
+  std::array<Id, 3> pointsOn_{};
   std::vector<Id> changed_;
 };
 

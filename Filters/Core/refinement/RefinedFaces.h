@@ -12,8 +12,8 @@
 namespace geodesic
 {
 
-/// The faces of this rank under refinement. Each face is triangulated by itself; what it shares with
-/// others are the points on its edges.
+/// The faces of this rank under refinement. Each face is triangulated by itself; what it shares
+/// with others are the points on its edges.
 struct RefinedFaces
 {
   explicit RefinedFaces(const DistanceField& refined)

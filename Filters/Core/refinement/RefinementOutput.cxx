@@ -138,8 +138,7 @@ void writeTriangles(const RefinedFaces& faces, const std::vector<Id>& firstInsid
     });
   for (const Range& range : ranges)
   {
-    result.triangles.insert(
-      result.triangles.end(), range.triangles.begin(), range.triangles.end());
+    result.triangles.insert(result.triangles.end(), range.triangles.begin(), range.triangles.end());
     result.faces.insert(result.faces.end(), range.faces.begin(), range.faces.end());
   }
 }
@@ -200,8 +199,8 @@ void appendTriangles(const RefinedFaces& faces, Id face, const std::vector<Id>& 
     triangles);
 }
 
-RefinedMesh writeOutput(const RefinedFaces& faces, const RefinementOptions& options,
-  Id numberOfPoints, const Job& job)
+RefinedMesh writeOutput(
+  const RefinedFaces& faces, const RefinementOptions& options, Id numberOfPoints, const Job& job)
 {
   const TriangleMesh& mesh = faces.field.mesh();
   const std::vector<Id> firstInside = firstPointsInside(faces);

@@ -8,8 +8,8 @@
 namespace geodesic
 {
 
-/// Appends the triangles of one face of this rank. A face that is not refined, but has points on its
-/// edges, is cut between these.
+/// Appends the triangles of one face of this rank. A face that is not refined, but has points on
+/// its edges, is cut between these.
 ///
 /// \param firstInside the number of each open face's first point inside.
 void appendTriangles(const RefinedFaces& faces, Id face, const std::vector<Id>& firstInside,
@@ -22,8 +22,8 @@ std::vector<Id> firstPointsInside(const RefinedFaces& faces);
 ///
 /// \param numberOfPoints of the caller: fewer than vertices if the last vertices are only other
 ///        ranks'.
-RefinedMesh writeOutput(const RefinedFaces& faces, const RefinementOptions& options,
-  Id numberOfPoints, const Job& job);
+RefinedMesh writeOutput(
+  const RefinedFaces& faces, const RefinementOptions& options, Id numberOfPoints, const Job& job);
 
 }
 

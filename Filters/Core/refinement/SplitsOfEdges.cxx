@@ -49,8 +49,8 @@ bool isSamePiece(const SplitRequest& a, const SplitRequest& b)
   return a.edge == b.edge && a.piece == b.piece;
 }
 
-// The most urgent request for each piece, by edges and pieces. The last pieces of an edge come first,
-// as splits change the numbers of those behind them.
+// The most urgent request for each piece, by edges and pieces. The last pieces of an edge come
+// first, as splits change the numbers of those behind them.
 void keepMostUrgent(std::vector<SplitRequest>& requests)
 {
   std::sort(requests.begin(), requests.end(),
@@ -90,8 +90,9 @@ std::vector<std::uint8_t> frozenOnAnyRank(
     }
   }
   readEach(surface.exchange().step(std::move(messages)),
-    [&](int rank, MessageReader& reader)
-    { isFrozenThere[surface.copyOf({ rank, reader.get<Id>() })] = 1; });
+    [&](int rank, MessageReader& reader) {
+      isFrozenThere[surface.copyOf({ rank, reader.get<Id>() })] = 1;
+    });
   return isFrozenThere;
 }
 
@@ -135,21 +136,21 @@ std::vector<SplitRequest> SplitsOfEdges::measureNew()
     }
   }
   this->measured_ = this->edges_.size();
-  std::vector<std::vector<EdgeSplit>> splits(unknown.size());
+  std::vector<EdgeCuts> cuts(unknown.size());
   this->run(unknown.size(),
     [&](EdgeSplitter& splitter, std::size_t i)
     {
       this->edges_[unknown[i]].pieces = splitter.measure(unknown[i]);
-      splits[i] = splitter.fewestSplits(unknown[i]);
+      cuts[i] = splitter.fewestCuts(unknown[i]);
     });
   std::vector<SplitRequest> requests;
   for (std::size_t i = 0; i < unknown.size(); ++i)
   {
-    if (!splits[i].empty())
+    if (!cuts[i].splits.empty())
     {
       const double deviation = this->edges_[unknown[i]].pieces.front().largest();
       requests.push_back({ unknown[i], 0, SplitReason::Error, deviation, 0.5 });
-      this->fewest_.emplace(unknown[i], std::move(splits[i]));
+      this->fewest_.emplace(unknown[i], std::move(cuts[i]));
     }
   }
   return requests;
@@ -169,14 +170,12 @@ std::vector<Id> SplitsOfEdges::split(std::vector<SplitRequest> requests)
     }
   }
   first.push_back(requests.size());
-  std::vector<std::vector<EdgeSplit>> splits(edges.size());
+  std::vector<EdgeCuts> cuts(edges.size());
   this->run(edges.size(),
-    [&](EdgeSplitter& splitter, std::size_t i)
-    {
-      splits[i] =
-        this->decide(splitter, requests.data() + first[i], requests.data() + first[i + 1]);
+    [&](EdgeSplitter& splitter, std::size_t i) {
+      cuts[i] = this->decide(splitter, requests.data() + first[i], requests.data() + first[i + 1]);
     });
-  const std::vector<Id> changed = this->share(edges, splits);
+  const std::vector<Id> changed = this->share(edges, cuts);
   this->fewest_.clear();
   this->measure(changed);
   return changed;
@@ -238,22 +237,23 @@ std::vector<SplitRequest> SplitsOfEdges::gather(std::vector<SplitRequest> reques
   return own;
 }
 
-std::vector<EdgeSplit> SplitsOfEdges::decide(
+EdgeCuts SplitsOfEdges::decide(
   EdgeSplitter& splitter, const SplitRequest* first, const SplitRequest* last)
 {
   const Id edge = first->edge;
-  std::vector<EdgeSplit> splits;
+  EdgeCuts cuts;
   if (this->edges_[edge].points.empty() && first->reason == SplitReason::Error)
   {
     const auto known = this->fewest_.find(edge);
-    splits = known == this->fewest_.end() ? splitter.fewestSplits(edge) : known->second;
+    cuts = known == this->fewest_.end() ? splitter.fewestCuts(edge) : known->second;
   }
-  for (; first != last && (splits.empty() || !this->edges_[edge].points.empty()); ++first)
+  const bool isCut = !cuts.splits.empty();
+  for (; !isCut && first != last; ++first)
   {
-    splits.push_back(
+    cuts.splits.push_back(
       splitter.split(edge, first->piece, first->weight, first->reason == SplitReason::Shape));
   }
-  return splits;
+  return cuts;
 }
 
 void SplitsOfEdges::apply(Id edge, const EdgeSplit& split)
@@ -263,7 +263,7 @@ void SplitsOfEdges::apply(Id edge, const EdgeSplit& split)
 
 // Makes this rank's splits, tells the other ranks with faces there, and makes theirs.
 std::vector<Id> SplitsOfEdges::share(
-  const std::vector<Id>& edges, const std::vector<std::vector<EdgeSplit>>& splits)
+  const std::vector<Id>& edges, const std::vector<EdgeCuts>& cuts)
 {
   const MeshPartition& surface = this->field_.surface();
   std::vector<Message> messages = surface.exchange().noMessages();
@@ -273,13 +273,17 @@ std::vector<Id> SplitsOfEdges::share(
     const Id halfedge = this->edges_[edges[i]].halfedge;
     const std::vector<int> others =
       surface.isDistributed() ? surface.otherRanksAt(halfedge) : std::vector<int>();
-    for (const EdgeSplit& split : splits[i])
+    for (const EdgeSplit& split : cuts[i].splits)
     {
       this->apply(edges[i], split);
       for (const int other : others)
       {
         put(messages[rankIndex(other)], SplitMessage{ addressOf(surface, halfedge), split });
       }
+    }
+    if (cuts[i].pieces.size() == this->edges_[edges[i]].numberOfPieces())
+    {
+      this->edges_[edges[i]].pieces = cuts[i].pieces;
     }
   }
   if (surface.isDistributed())

@@ -19,8 +19,8 @@ namespace geodesic
 std::vector<std::uint8_t> frozenOnAnyRank(
   const MeshPartition& surface, const std::vector<std::uint8_t>& isFrozen);
 
-/// Puts points on edges, as faces have asked for them. Faces of several ranks at an edge get the same
-/// points, bit for bit: the lowest rank that refines a face there decides for all.
+/// Puts points on edges, as faces have asked for them. Faces of several ranks at an edge get the
+/// same points, bit for bit: the lowest rank that refines a face there decides for all.
 class SplitsOfEdges
 {
 public:
@@ -35,9 +35,9 @@ public:
   /// Measures the edges that have been added since the last call. \returns for each one over the
   /// tolerance a request to split it.
   std::vector<SplitRequest> measureNew();
-  /// Makes the splits that any rank asks for: of several for one piece, the most urgent one. An edge
-  /// without points that is over the tolerance is cut into the fewest pieces at once. A collective
-  /// call of all ranks.
+  /// Makes the splits that any rank asks for: of several for one piece, the most urgent one. An
+  /// edge without points that is over the tolerance is cut into the fewest pieces at once. A
+  /// collective call of all ranks.
   ///
   /// \returns the edges that have new points, ascending.
   std::vector<Id> split(std::vector<SplitRequest> requests);
@@ -47,9 +47,8 @@ private:
   void run(std::size_t count, const Item& item);
   int deciderOf(Id edge) const;
   std::vector<SplitRequest> gather(std::vector<SplitRequest> requests);
-  std::vector<EdgeSplit> decide(
-    EdgeSplitter& splitter, const SplitRequest* first, const SplitRequest* last);
-  std::vector<Id> share(const std::vector<Id>& edges, const std::vector<std::vector<EdgeSplit>>& splits);
+  EdgeCuts decide(EdgeSplitter& splitter, const SplitRequest* first, const SplitRequest* last);
+  std::vector<Id> share(const std::vector<Id>& edges, const std::vector<EdgeCuts>& cuts);
   void apply(Id edge, const EdgeSplit& split);
   void measure(const std::vector<Id>& edges);
 
@@ -62,7 +61,7 @@ private:
   std::vector<std::unique_ptr<EdgeSplitter>> splitters_;
   Id measured_ = 0;
   /// For edges over the tolerance that have just been measured.
-  std::unordered_map<Id, std::vector<EdgeSplit>> fewest_;
+  std::unordered_map<Id, EdgeCuts> fewest_;
 };
 
 }
