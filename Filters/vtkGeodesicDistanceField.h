@@ -172,10 +172,10 @@ public:
 
   ///@{
   /**
-   * Refinement stops before the output has more triangles than this; 0 is no limit. Triangles with
-   * the largest error are split first, and a warning says which tolerance was met. A surface
-   * that has more triangles already is not refined, with a warning. Default: 50,000,000. A negative
-   * number is an error.
+   * The output has no more triangles than this; 0 is no limit. Where the tolerance needs more, the
+   * surface is refined to a larger tolerance for which there is room, and a warning says what was
+   * met. A surface that has more triangles already is not refined, with a warning. Default:
+   * 50,000,000. A negative number is an error.
    */
   vtkSetMacro(MaximumNumberOfCells, vtkIdType);
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);

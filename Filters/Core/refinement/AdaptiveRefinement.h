@@ -45,19 +45,13 @@ struct RefinementOptions
 /// including inside faces (paper, section 6, which considers edges). The surface does not change:
 /// new points lie on its edges and faces, where the distance is exact without a new propagation.
 ///
-/// The worst triangles come first. Their edges over the tolerance are split near the largest
-/// deviation, as far as the shapes of the parts permit (DeviationRules).
+/// All faces around an edge of the input share the points on it; between these each face is
+/// triangulated by itself (FaceRefiner). So new points inside a face concern no other.
 ///
-/// Two to four triangles close a triangle with split edges (RedGreenMesh). Among the ways to close
-/// it, which differ by flips inside the triangle, refinement takes the one with the best shapes
-/// that meets the tolerance, so that an edge follows where the distance bends. If no way meets the
-/// tolerance, more edges of the triangle are split, and after that the triangle is split into four.
-/// Triangles much longer than high are not split into four: their edges get as many points as they
-/// need, and a strip of triangles connects these. A strip also closes another triangle with several
-/// points on an edge, if its angles are as good as the face's.
+/// If the surface has regions, triangles at their borders are halved after those over the tolerance.
 ///
-/// If the surface has regions, triangles at their borders are split after those over the tolerance,
-/// the largest first.
+/// If the tolerance needs more than the maximum of triangles, the surface is refined to a larger one,
+/// the smallest found for which there is room.
 ///
 /// With an approximate field the distance is the computed one. The faces at a point may differ by
 /// what was merged on their edge; this difference is subtracted from the tolerance and added to
@@ -69,10 +63,9 @@ struct RefinementOptions
 ///
 /// All ranks call this together, with the same tolerance and maximum, and refine the faces that
 /// they own; the options' values for faces of other ranks are ignored. The refined parts fit
-/// together: points on edges of several ranks have the same place along the edge
-/// (RefinedPoint::weight), position and distance on all of them, bit for bit. The maximum counts
-/// the triangles of all ranks; errorBound and stoppedAtMaximum are global. Leaves are then refined
-/// in batches, so the triangles depend on the partition.
+/// together: points on edges of several ranks have the same place along the edge, position and
+/// distance on all of them, bit for bit. The maximum counts the triangles of all ranks; errorBound
+/// and stoppedAtMaximum are global. The triangles do not depend on the partition.
 ///
 /// \param field with windows kept.
 /// \throws Error if the tolerance is not a positive number, or the field has no windows; Aborted.
