@@ -48,10 +48,11 @@ struct RefinementOptions
 /// All faces around an edge of the input share the points on it; between these each face is
 /// triangulated by itself (FaceRefiner). So new points inside a face concern no other.
 ///
-/// If the surface has regions, triangles at their borders are halved after those over the tolerance.
+/// If the surface has regions, triangles at their borders are halved after those over the
+/// tolerance.
 ///
-/// If the tolerance needs more than the maximum of triangles, the surface is refined to a larger one,
-/// the smallest found for which there is room.
+/// If the tolerance needs more than the maximum of triangles, the surface is refined to a larger
+/// one, the smallest found for which there is room.
 ///
 /// With an approximate field the distance is the computed one. The faces at a point may differ by
 /// what was merged on their edge; this difference is subtracted from the tolerance and added to
@@ -65,7 +66,8 @@ struct RefinementOptions
 /// they own; the options' values for faces of other ranks are ignored. The refined parts fit
 /// together: points on edges of several ranks have the same place along the edge, position and
 /// distance on all of them, bit for bit. The maximum counts the triangles of all ranks; errorBound
-/// and stoppedAtMaximum are global. The triangles do not depend on the partition.
+/// and stoppedAtMaximum are global. Partitions change few triangles:
+/// fields differ in their last bits, and ranks keep the windows of faces at seams.
 ///
 /// \param field with windows kept.
 /// \throws Error if the tolerance is not a positive number, or the field has no windows; Aborted.
