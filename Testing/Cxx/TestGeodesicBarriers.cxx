@@ -280,6 +280,7 @@ void CheckBlocks(Check& check)
   {
     vtkNew<vtkGeodesicDistanceField> filter;
     filter->SetRefineMesh(refine);
+    filter->SetRefinementTolerance(2e-4);
     auto left = Part(Square(16), isLeft); // without the array
     auto right = WithBarriers(Part(Square(16), isRight), IsInWall);
     filter->SetInputDataObject(0, Blocks({ left, right }));

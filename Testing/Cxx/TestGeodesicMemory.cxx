@@ -26,6 +26,9 @@ namespace
 /// When armed, memory is refused to all threads but one.
 std::atomic<bool> RefuseToHelpers{ false };
 std::atomic<int> Refused{ 0 };
+/// When armed, no thread gets more memory at once than a message needs.
+std::atomic<bool> RefuseLarge{ false };
+constexpr std::size_t Large = 4096;
 thread_local bool IsMainThread = false;
 
 }
@@ -39,6 +42,10 @@ void* operator new(std::size_t size)
   if (RefuseToHelpers.load(std::memory_order_relaxed) && !IsMainThread)
   {
     ++Refused;
+    throw std::bad_alloc();
+  }
+  if (size >= Large && RefuseLarge.load(std::memory_order_relaxed))
+  {
     throw std::bad_alloc();
   }
   if (void* memory = std::malloc(size > 0 ? size : 1))
@@ -194,7 +201,7 @@ void CheckLimits(Check& check, int threads)
   check.That(enough, "there is a limit that is enough");
 }
 
-/// From this progress of the filter on there is no more memory than the process has by then.
+/// From this progress of the filter on there is no more memory.
 /// The error says what the filter was doing: the stage of this progress runs out of memory.
 void CheckStage(
   Check& check, int threads, vtkPolyData* surface, double progress, const std::string& doing)
@@ -204,16 +211,10 @@ void CheckStage(
   SetUp(filter, surface);
   Messages messages(filter);
   {
-    std::unique_ptr<const Limit> limit;
     Listener listener(filter, vtkCommand::ProgressEvent,
-      [&]
-      {
-        if (!limit && filter->GetProgress() >= progress)
-        {
-          limit = std::make_unique<const Limit>(0);
-        }
-      });
+      [&] { RefuseLarge = RefuseLarge || filter->GetProgress() >= progress; });
     messages.Update();
+    RefuseLarge = false;
   }
   check.That(Contains(messages.Error(), "ran out while " + doing), name + ": " + messages.Error());
   CheckRefused(check, filter, messages, name);

@@ -524,19 +524,26 @@ private:
   double worstAtFirst_ = 0.0;
 };
 
-/// Refines to the smallest tolerance for which there is room, by bisection of its logarithm. A run
-/// without room stops early.
+/// Refines to the smallest tolerance for which there is room, found by trial: in the range between
+/// one without room and one with room, the next is where triangles in inverse proportion to the
+/// tolerance would just fill the room, or the middle of the range's logarithms. A run without room
+/// stops early.
 std::unique_ptr<Refiner> refineWithinRoom(const Task& task)
 {
-  constexpr double EnoughOfRoom = 0.9;
-  constexpr int MostRuns = 12;
+  constexpr double EnoughOfRoom = 0.97;
+  constexpr int MostRuns = 16;
   std::unique_ptr<Refiner> best;
   double fits = Infinity;
   double tooSmall = task.options.tolerance;
   double growth = 4.0; // 4, 16, 256 ... times the tolerance until there is room
   for (int run = 0; run < MostRuns; ++run)
   {
-    const double next = best ? std::sqrt(fits * tooSmall) : growth * task.options.tolerance;
+    double next = growth * task.options.tolerance;
+    if (best)
+    {
+      const double full = fits * best->shareOfRoom();
+      next = full > tooSmall ? full : std::sqrt(fits * tooSmall);
+    }
     auto refiner = std::make_unique<Refiner>(task, next);
     if (!refiner->run())
     {

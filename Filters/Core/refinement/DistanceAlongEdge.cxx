@@ -10,6 +10,9 @@ namespace geodesic
 namespace
 {
 
+// An edge that needs more cuts is halved again and again: there may be no room for so many.
+constexpr std::size_t MostCuts = 1000;
+
 double distanceAt(const std::vector<Window>& envelope, double x)
 {
   const auto window = std::partition_point(
@@ -83,14 +86,16 @@ double DistanceAlongEdge::furthest(double from, double to, double guess, double 
   return within;
 }
 
-std::vector<double> DistanceAlongEdge::stepsWithin(double from, double to, double tolerance) const
+// Stops when there are more than the most.
+std::vector<double> DistanceAlongEdge::stepsWithin(
+  double from, double to, double tolerance, std::size_t most) const
 {
   std::vector<double> places;
   double guess = to - from;
   for (double last = from;;)
   {
     const double next = this->furthest(last, to, guess, tolerance);
-    if (next == to || next == last)
+    if (next == to || next == last || places.size() > most)
     {
       return places;
     }
@@ -101,13 +106,14 @@ std::vector<double> DistanceAlongEdge::stepsWithin(double from, double to, doubl
 }
 
 // A cut at the worst place, which is a kink if there is one, and the fewest on both sides of it.
-std::vector<double> DistanceAlongEdge::cutsWithKink(double from, double to, double tolerance) const
+std::vector<double> DistanceAlongEdge::cutsWithKink(
+  double from, double to, double tolerance, std::size_t most) const
 {
   const double at = this->deviation(from, to, nullptr).at();
   const double kink = from + at * (to - from);
-  std::vector<double> places = this->stepsWithin(from, kink, tolerance);
+  std::vector<double> places = this->stepsWithin(from, kink, tolerance, most);
   places.push_back(kink);
-  const std::vector<double> behind = this->stepsWithin(kink, to, tolerance);
+  const std::vector<double> behind = this->stepsWithin(kink, to, tolerance, most);
   places.insert(places.end(), behind.begin(), behind.end());
   return places;
 }
@@ -118,7 +124,7 @@ std::vector<double> DistanceAlongEdge::cutsWithKink(double from, double to, doub
 std::vector<double> DistanceAlongEdge::evenCuts(
   double from, double to, double tolerance, const std::vector<double>& forward) const
 {
-  const std::vector<double> backward = this->stepsWithin(to, from, tolerance);
+  const std::vector<double> backward = this->stepsWithin(to, from, tolerance, forward.size());
   const std::size_t count = forward.size();
   if (backward.size() != count)
   {
@@ -141,10 +147,14 @@ std::vector<double> DistanceAlongEdge::evenCuts(
 
 std::vector<double> DistanceAlongEdge::cuts(double from, double to, double tolerance) const
 {
-  const std::vector<double> forward = this->stepsWithin(from, to, tolerance);
-  std::vector<double> withKink = this->cutsWithKink(from, to, tolerance);
-  return withKink.size() <= forward.size() ? withKink
-                                           : this->evenCuts(from, to, tolerance, forward);
+  const std::vector<double> forward = this->stepsWithin(from, to, tolerance, MostCuts);
+  const std::size_t count = forward.size();
+  if (count > MostCuts)
+  {
+    return {};
+  }
+  std::vector<double> withKink = this->cutsWithKink(from, to, tolerance, count);
+  return withKink.size() <= count ? withKink : this->evenCuts(from, to, tolerance, forward);
 }
 
 }

@@ -9,6 +9,7 @@
 
 #include "refinement/CutEdges.h"
 #include "refinement/FaceTriangles.h"
+#include "refinement/RefinementOutput.h"
 #include "refinement/SolveForRefinement.h"
 
 #include <gtest/gtest.h>
@@ -249,6 +250,54 @@ TEST(CutEdges, PointsLieInTheirOrderAndBetweenTheirParents)
       length += edges.lengthOfPiece(edge, piece);
     }
     EXPECT_NEAR(length, mesh.length(halfedge), 1e-14);
+  }
+}
+
+// Its neighbours split its edges, and no windows describe its inside: its triangles lie between the
+// points of the edges only.
+TEST(RefinedFaces, AFaceThatIsNotRefinedIsClosedBetweenThePointsOnItsEdges)
+{
+  const Seeds seeds = seedsOfTest(50);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const TriangleMesh mesh = engineMesh(bumpySheet(3, 3, 0, 0.5, random));
+    const auto field =
+      solveKeepingAll(mesh, { geodesic::pointCurve(geodesic::SurfacePoint::atVertex(0)) });
+    geodesic::RefinedFaces faces(field);
+    const Id face = static_cast<Id>(random.below(mesh.numberOfFaces()));
+    std::size_t added = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Id edge = faces.edges.ensure(TriangleMesh::halfedgeOf(face, k));
+      for (Index i = random.between(0, 4); i > 0; --i)
+      {
+        const Id piece = static_cast<Id>(random.below(faces.edges[edge].numberOfPieces()));
+        faces.edges.split(edge, piece, random.uniform(0.1, 0.9), 0.0, false);
+        ++added;
+      }
+    }
+    std::vector<Triangle> triangles;
+    geodesic::appendTriangles(faces, face, {}, triangles);
+    EXPECT_EQ(triangles.size(), 1 + added);
+    const auto weightsOf = [&](Id point)
+    {
+      return barycentric(mesh,
+        faces.edges.isVertex(point)
+          ? geodesic::SurfacePoint::atVertex(point)
+          : geodesic::SurfacePoint::onEdge(
+              faces.edges[faces.edges.point(point).edge].halfedge, faces.edges.point(point).at),
+        face);
+    };
+    double covered = 0.0;
+    for (const Triangle& t : triangles)
+    {
+      const double share = determinant(weightsOf(t[0]), weightsOf(t[1]), weightsOf(t[2]));
+      EXPECT_GT(share, 0.0);
+      covered += share;
+    }
+    EXPECT_NEAR(covered, 1.0, 1e-12);
   }
 }
 

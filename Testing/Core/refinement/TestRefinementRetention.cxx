@@ -282,28 +282,6 @@ TEST_P(KeptWindows, AreEnoughForRefinementUpToALimit)
   EXPECT_GT(leftAlone, 0u);
 }
 
-// Its neighbours split its edges, and no windows describe its inside: its parts lie between points
-// of the edges only.
-TEST(KeptWindowsOfRandomMeshes, AFaceWithoutWindowsIsClosedBetweenPointsOnAllItsEdges)
-{
-  std::size_t withSuchFaces = 0;
-  for (const MeshKind& kind : meshKinds())
-  {
-    for (const std::uint64_t seed : { 9037U, 9151U })
-    {
-      SCOPED_TRACE(std::string(kind.name) + ", seed " + std::to_string(seed));
-      Random random(seed);
-      const PlainMesh mesh = kind.make(random.between(50, 400), random);
-      CurveMaker maker(mesh, random);
-      const double fraction = random.chance(0.5) ? 0.0003 : 0.001;
-      const Found found = compare(mesh, maker.anySource(), fraction, 2000, random);
-      withSuchFaces += found.pointsAroundOne > 2 ? 1 : 0;
-    }
-  }
-  std::cout << withSuchFaces << " meshes with such a face\n";
-  EXPECT_GT(withSuchFaces, 0u) << "with a point on each edge";
-}
-
 namespace
 {
 
