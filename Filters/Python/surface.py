@@ -41,8 +41,8 @@ class Surface:
     surface: as for the functions of this package; of arrays a copy is kept. barriers, merge_coincident_points,
     merge_tolerance, threads: see help(geodesicdistance). Each method is the function of its name without these.
 
-    Several threads may ask at once: their calls wait for each other, and each uses VTK's threads. For calls side by side
-    use processes: a Surface can be pickled, and its copy has a copy of the data and makes the structure anew.
+    Several threads may ask at once: their calls wait for each other, and each uses VTK's threads. For calls side by
+    side use processes: a Surface can be pickled, and its copy has a copy of the data and makes the structure anew.
     """
 
     # Where a method begins, locals() are its arguments: they are handed on by their names.

@@ -526,6 +526,23 @@ class Results(unittest.TestCase):
                     np.testing.assert_allclose(far, value, atol=1e-3 if value else EXACT)
         self.assertEqual(contour(square, 0, [0, 1, 2, 3])["GeodesicDistance"].tolist(), [1, 2, 3])
 
+    def test_never_lie_before_the_beginning_of_a_curve_or_behind_its_end(self):
+        """Not by a rounding: on turned sheets the feet at an end of the curve did."""
+        points, faces = sheet(4)
+        for seed in range(150):
+            random = np.random.default_rng(seed)
+            turn, across = np.linalg.qr(random.normal(size=(3, 2)))[0].T
+            turned = random.choice([1, 0.001, 37.1]) * (points[:, :1] * turn + points[:, 1:2] * across)
+            kept = Surface((turned, faces))
+            line = turned[random.choice(len(points), (3, 1 + seed % 2))].mean(axis=1)
+            along = kept.field(curve(line), generate_source_arc_length=True)["SourceArcLength"]
+            (filter,) = kept._filters.values()
+            of_line = vtk_to_numpy(filter.GetOutputDataObject(1).GetPointData().GetArray("SourceArcLength"))
+            with self.subTest(seed=seed):
+                self.assertGreaterEqual(along.min(), 0)
+                if not np.allclose(line[0], line[-1]):  # else the end is the beginning, and has 0
+                    self.assertLessEqual(along.max(), of_line.max())
+
     def test_of_a_field_are_a_surface_again(self):
         refined = field(octahedron(), 0, refine_mesh=True)
         np.testing.assert_allclose(distance((refined["points"], refined["faces"]), 0), refined["GeodesicDistance"],
