@@ -11,17 +11,17 @@ from .messages import GeodesicError
 
 
 def bytes_of(data):
-    """The name of a data set's class, and what it holds as bytes."""
+    """VTK's number of a data set's class, which subclasses of Python share, and what it holds as bytes."""
     chars = vtkCharArray()
     if not vtkCommunicator.MarshalDataObject(data, chars):
         raise GeodesicError(f"VTK cannot write this {data.GetClassName()} into a pickle. Give points and faces.")
-    return data.GetClassName(), vtk_to_numpy(chars).tobytes()
+    return data.GetDataObjectType(), vtk_to_numpy(chars).tobytes()
 
 
-def data_of(class_name, content):
+def data_of(kind, content):
     """The data set of bytes_of()."""
-    data = vtkDataObjectTypes.NewDataObject(class_name)
+    data = vtkDataObjectTypes.NewDataObject(kind)
     chars = numpy_to_vtk(np.frombuffer(content, np.int8), deep=True, array_type=VTK_CHAR)
     if not vtkCommunicator.UnMarshalDataObject(chars, data):
-        raise GeodesicError(f"This pickle has no {class_name} that VTK can read.")
+        raise GeodesicError(f"This pickle has no {data.GetClassName()} that VTK can read.")
     return data

@@ -19,7 +19,8 @@ from geodesicdistance import GeodesicError, Surface, contour, curve, distance, f
 from test_functions import EXACT, as_poly_data, octahedron, sheet
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
-from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE, vtkCellArray, vtkMultiBlockDataSet, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import (VTK_TRIANGLE, vtkCellArray, vtkMultiBlockDataSet, vtkPolyData,
+                                           vtkUnstructuredGrid)
 
 LINE = curve([(0.25, 0.5, 0), (0.75, 0.5, 0)])
 # A function, its positional arguments and its options: each on the sheet.
@@ -63,6 +64,13 @@ def as_grid(data):
     grid.SetPoints(data.GetPoints())
     grid.SetCells(VTK_TRIANGLE, data.GetPolys())
     return grid
+
+
+def of_subclass(data):
+    """As PyVista's meshes are of classes of its own."""
+    mesh = type("Mesh", (vtkPolyData,), {})()
+    mesh.ShallowCopy(data)
+    return mesh
 
 
 def in_blocks(data):
@@ -491,7 +499,8 @@ class Pickles(unittest.TestCase):
         named = with_array("walls", walls, data)
         for surface, options in ((sheet(), {}), (sheet(), {"barriers": walls}), (data, {"barriers": walls}),
                                  (named, {"barriers": "walls", "threads": 1}), (as_grid(data), {}),
-                                 (in_blocks(data), {}), (sheet(), {"merge_coincident_points": False})):
+                                 (in_blocks(data), {}), (sheet(), {"merge_coincident_points": False}),
+                                 (of_subclass(data), {})):
             kept = Surface(surface, **options)
             for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
                 twins = [pickle.loads(pickle.dumps(kept, protocol))]
