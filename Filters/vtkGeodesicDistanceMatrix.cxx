@@ -14,9 +14,11 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,12 +30,65 @@ vtkStandardNewMacro(vtkGeodesicDistanceMatrix);
 namespace
 {
 
+const char* const TargetIdColumn = "TargetId";
+const char* const TargetNameColumn = "TargetName";
+
+/// Gives each source's column a name that no other column has.
+class ColumnNames
+{
+public:
+  explicit ColumnNames(const Sources& sources)
+    : sources_(sources)
+  {
+  }
+
+  std::string next()
+  {
+    const std::size_t place = this->next_++;
+    const std::string id = std::to_string(this->sources_.ids[place]);
+    const std::vector<std::string>& names = this->sources_.names;
+    std::string name = place < names.size() && !names[place].empty() ? names[place] : "Source" + id;
+    while (!this->given_.insert(name).second)
+    {
+      name += "_" + id;
+    }
+    return name;
+  }
+
+private:
+  const Sources& sources_;
+  std::size_t next_ = 0;
+  std::set<std::string> given_ = { TargetIdColumn, TargetNameColumn };
+};
+
+/// Adds the names of targets that have some.
+void AddTargetNames(const Inputs& inputs, vtkTable* table)
+{
+  vtkNew<vtkStringArray> column;
+  column->SetName(TargetNameColumn);
+  column->SetNumberOfValues(static_cast<vtkIdType>(inputs.targets.count));
+  vtkIdType row = 0;
+  bool hasNames = false;
+  for (const PolyDataBlock& block : inputs.targetBlocks.blocks)
+  {
+    hasNames = hasNames || !block.pointNames.empty();
+    for (std::size_t i = 0; i < block.pointNames.size(); ++i)
+    {
+      column->SetValue(row + static_cast<vtkIdType>(i), block.pointNames[i]);
+    }
+    row += block.data->GetNumberOfPoints();
+  }
+  if (hasNames)
+  {
+    table->AddColumn(column);
+  }
+}
+
 /// Adds the column of a source. Its distances are freed: there may be no memory for all of them
 /// twice.
-void AddSource(vtkIdType source, std::vector<double> distances, const Targets& targets,
+void AddSource(const std::string& name, std::vector<double> distances, const Targets& targets,
   const PowerOfTwoScale& scale, vtkTable* table)
 {
-  const std::string name = "Source" + std::to_string(source);
   const auto column =
     makeArray<vtkDoubleArray>(name.c_str(), static_cast<vtkIdType>(targets.count));
   column->Fill(Infinity);
@@ -53,8 +108,7 @@ void ComputeTable(
 {
   const Targets& targets = inputs.targets;
   const auto rows = static_cast<vtkIdType>(targets.count);
-  const std::vector<vtkIdType>& sources = inputs.sources.ids;
-  const auto numberOfSources = static_cast<Id>(sources.size());
+  const auto numberOfSources = static_cast<Id>(inputs.sources.ids.size());
 
   const Job job = execution.begin(Stage::SolveForTargets);
   // Once as they are computed, once as they are put out.
@@ -67,12 +121,14 @@ void ComputeTable(
       maximumDistance > 0.0 ? scale.toEngine(maximumDistance) : Infinity, job);
 
   execution.begin(Stage::Write);
-  const auto ids = makeArray<vtkIdTypeArray>("TargetId", rows);
+  const auto ids = makeArray<vtkIdTypeArray>(TargetIdColumn, rows);
   std::iota(ids->GetPointer(0), ids->GetPointer(rows), 0);
   table->AddColumn(ids);
-  for (std::size_t column = 0; column < matrix.size(); ++column)
+  AddTargetNames(inputs, table);
+  ColumnNames names(inputs.sources);
+  for (std::vector<double>& column : matrix)
   {
-    AddSource(sources[column], std::move(matrix[column]), targets, scale, table);
+    AddSource(names.next(), std::move(column), targets, scale, table);
   }
 }
 
@@ -99,6 +155,13 @@ void MoveToFirstRank(Exchange& exchange, vtkTable* table)
   }
 }
 
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicDistanceMatrix::~vtkGeodesicDistanceMatrix()
+{
+  this->SetSourceNameArrayName(nullptr);
+  this->SetTargetNameArrayName(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -139,6 +202,8 @@ ExecutionPlan vtkGeodesicDistanceMatrix::Plan() const
   plan.stages = { Stage::SolveForTargets, Stage::Write };
   plan.targets = TargetPoints::OfTargetsOrSource;
   plan.supportsPieces = false;
+  plan.sourceNameArray = this->SourceNameArrayName;
+  plan.targetNameArray = this->TargetNameArrayName;
   return plan;
 }
 
@@ -159,4 +224,8 @@ void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "SourceNameArrayName: "
+     << (this->SourceNameArrayName ? this->SourceNameArrayName : "(none)") << "\n";
+  os << indent << "TargetNameArrayName: "
+     << (this->TargetNameArrayName ? this->TargetNameArrayName : "(none)") << "\n";
 }

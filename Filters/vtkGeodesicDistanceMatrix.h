@@ -6,13 +6,18 @@
  * vtkGeodesicDistanceMatrix measures the length of the shortest path *on* a triangle mesh from each
  * of several sources, every one alone, to each of several targets, and puts these numbers into a
  * table. Distances are exact up to the rounding of double-precision numbers: those that
- * vtkGeodesicDistanceField gives for that source alone, at vertices to the last bit.
+ * vtkGeodesicDistanceField gives for that source alone.
  *
  * @par Algorithm:
  * For each source a front goes out (see vtkGeodesicDistanceField), until all targets are settled:
  * of targets near the source the rest of the surface costs nothing. Sources are solved side by side
  * on the threads that vtkSMPTools is set to use, one thread a source, with one structure of the
  * surface in common; each of the threads takes the memory of one solve.
+ * @par
+ * If every source is a point or a set of points and there are fewer targets than sources, a front
+ * goes out from each target instead, until all sources are settled: 3 targets of 500 sources take 3
+ * solves. This is not done where straight distances tell that these fronts go farther in all (where
+ * many sources are near the targets, and one is far away).
  *
  * @par Input:
  * Port 0 takes the surface: see vtkGeodesicAlgorithm, also for composite data, pieces and errors.
@@ -28,15 +33,19 @@
  * A vtkTable with one row a target, in their order, and the columns
  * - `TargetId` (vtkIdType): the target, by its point id on its port; with a composite data set ids
  *   go on from block to block,
+ * - `TargetName` (vtkStringArray): what the target is called, with TargetNameArrayName only,
  * - `Source0`, `Source1`, ... (double): the distance from each source, by the ids of the cells (of
  * the points where there are no cells or vertex cells only); loops of the boundary follow. Infinite
  * where no path leads from the source to the target, as to one in a barrier (BarrierArrayName),
- * beyond MaximumDistance, and for a cell without points.
+ * beyond MaximumDistance, and for a cell without points. With SourceNameArrayName a column is
+ * called as its source.
  *
  * @par Execution:
- * The numbers are the same, to the last bit, for any number of threads and whatever other sources
- * and targets there are. On several ranks rank 0 has the rows; the whole surface must be on one
- * rank, or on each: one that is distributed is an error.
+ * The numbers are the same, to the last bit, for any number of threads. Where fronts go out from
+ * the sources, they are those of the field of each source, at vertices to the last bit, whatever
+ * other sources and targets there are; where they go out from the targets, those of the field of
+ * each target. The two differ by roundings. On several ranks rank 0 has the rows; the whole surface
+ * must be on one rank, or on each: one that is distributed is an error.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
@@ -84,6 +93,30 @@ public:
   vtkGetMacro(MaximumDistance, double);
   ///@}
 
+  ///@{
+  /**
+   * Name of an array of the source that says what its parts are called: their columns have these
+   * names. It is an array of the points of a set of points, and of the cells of any other data set,
+   * of strings or integers. Parts that are one source (SourceIdArrayName, JoinLines) go by the
+   * first one's name. A name that another column has is followed by "_" and the source's id: of two
+   * points 3 and 5 called "Cz" the columns are "Cz" and "Cz_5". Without a name, as loops of the
+   * boundary are, a column is "Source" and the id. Empty (null), the default, and "None" stand for
+   * no such array.
+   */
+  vtkSetStringMacro(SourceNameArrayName);
+  vtkGetStringMacro(SourceNameArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * Name of an array of strings or integers at the points of the targets (where port 2 is not
+   * connected, of the source) that says what they are called: the column `TargetName`. Empty
+   * (null), the default, and "None" stand for no such array.
+   */
+  vtkSetStringMacro(TargetNameArrayName);
+  vtkGetStringMacro(TargetNameArrayName);
+  ///@}
+
   /**
    * The output: a table, where the superclass has a vtkPolyData.
    */
@@ -91,7 +124,7 @@ public:
 
 protected:
   vtkGeodesicDistanceMatrix() { this->SetNumberOfInputPorts(3); }
-  ~vtkGeodesicDistanceMatrix() override = default;
+  ~vtkGeodesicDistanceMatrix() override;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   std::string FindWrongProperty() const override;
@@ -105,6 +138,8 @@ private:
   void operator=(const vtkGeodesicDistanceMatrix&) = delete;
 
   double MaximumDistance = 0.0;
+  char* SourceNameArrayName = nullptr;
+  char* TargetNameArrayName = nullptr;
 };
 
 #endif

@@ -98,15 +98,25 @@ struct InputReader
     {
       return {};
     }
-    const char* idArray = this->request.fromCurves ? this->request.sourceIdArray : nullptr;
+    PartArrays arrays;
+    if (this->request.fromCurves)
+    {
+      arrays.sourceIds = this->request.sourceIdArray;
+      arrays.sourceNames = this->plan.sourceNameArray;
+    }
+    if (!this->request.targets)
+    {
+      arrays.targetNames = this->plan.targetNameArray;
+    }
     const PartName name(SourceName);
-    return gatherBlocks(sourceBlocks(this->request.source, name, idArray), name, this->exchange);
+    return gatherBlocks(sourceBlocks(this->request.source, name, arrays), name, this->exchange);
   }
 
   GatheredBlocks gatherTargets() const
   {
     const PartName name(TargetsName);
-    return gatherBlocks(targetBlocks(this->request.targets, name), name, this->exchange);
+    return gatherBlocks(
+      targetBlocks(this->request.targets, name, this->plan.targetNameArray), name, this->exchange);
   }
 
   /// Reads the surface into the cache.
@@ -192,7 +202,8 @@ struct InputReader
     const bool areNamed = std::any_of(blocks.begin(), blocks.end(),
       [](const PolyDataBlock& block) { return !block.sourceIds.empty(); });
     const auto count = static_cast<Id>(source.ids.size());
-    return { std::move(patch), { std::move(curves), std::move(source.ids), areNamed, count },
+    return { std::move(patch),
+      { std::move(curves), std::move(source.ids), areNamed, count, std::move(source.names) },
       source.idEnd };
   }
 

@@ -13,6 +13,7 @@
 #include "source/SourceWindows.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 class vtkDataObject;
@@ -74,6 +75,9 @@ struct ExecutionPlan
   bool supportsPieces = true;
   /// A note tells that the source is farther from the surface than this fraction of its diagonal.
   double noteSourceBeyond = FarFraction;
+  /// Names of the arrays with the names of the source's parts and of the targets; see PartArrays.
+  const char* sourceNameArray = nullptr;
+  const char* targetNameArray = nullptr;
 
   /// With those of reading the inputs.
   std::vector<Stage> allStages() const;
@@ -110,6 +114,8 @@ struct Sources : SourceCurves
   bool areNamed = false;
   /// From which of these places on they are loops of the boundary.
   Id firstBoundary = 0;
+  /// What the ids before these are called; empty unless an array says so.
+  std::vector<std::string> names = {};
 };
 
 /// What an execution has read.

@@ -17,8 +17,10 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -271,64 +273,134 @@ bool isChosen(const char* array)
   return array && *array && std::string(array) != "None";
 }
 
-/// The array of a source that names its parts.
-///
-/// \throws InputError
-vtkDataArray* requireSourceIds(vtkDataSet* data, const PolyDataBlock& block, const char* array)
+/// An array of the parts of a source, or of targets.
+struct PartArray
 {
-  const bool areOfPoints = block.isSetOfPoints();
-  const std::string kind = areOfPoints ? "point" : "cell";
-  const auto find = [&](bool ofPoints) -> vtkAbstractArray*
+  const char* name;
+  /// That has this name.
+  const char* property;
+  bool areOfPoints;
+  /// What it names, and what to do where it is missing.
+  const char* named;
+  const char* advice;
+
+  std::string kind() const { return this->areOfPoints ? "point" : "cell"; }
+  vtkIdType count(vtkDataSet* data) const
+  {
+    return this->areOfPoints ? data->GetNumberOfPoints() : data->GetNumberOfCells();
+  }
+  vtkAbstractArray* find(vtkDataSet* data, bool ofPoints) const
   {
     vtkFieldData* arrays =
       data->GetAttributesAsFieldData(ofPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
-    return arrays ? arrays->GetAbstractArray(array) : nullptr;
-  };
-  vtkAbstractArray* any = find(areOfPoints);
-  const std::string named = std::string(" array named ") + array;
-  if (!any)
-  {
-    const std::string other = areOfPoints ? "cell" : "point";
-    throw InputError(block.name.atBeginning() + " has no " + kind + named +
-      ", by which SourceIdArrayName names its parts" +
-      (find(!areOfPoints) ? ", but a " + other + named : "") +
-      ". A set of points needs an array of its points, everything else one of its cells.");
+    return arrays ? arrays->GetAbstractArray(this->name) : nullptr;
   }
-  const std::string begin =
-    "The " + kind + " array " + array + " (SourceIdArrayName) of " + block.name.text();
-  auto* values = vtkDataArray::SafeDownCast(any);
-  if (!values || values->GetDataType() == VTK_FLOAT || values->GetDataType() == VTK_DOUBLE)
+  /// As messages begin that say what is wrong with it.
+  std::string in(const PolyDataBlock& block) const
   {
-    throw InputError(begin + " is a " + any->GetClassName() +
-      ", where whole numbers are needed. Choose an array of integers, or make one (Calculator with "
-      "an integer as Result Array Type).");
+    return "The " + this->kind() + " array " + this->name + " (" + this->property + ") of " +
+      block.name.text();
+  }
+};
+
+PartArray arrayOfParts(const PolyDataBlock& block, const char* name, const char* property)
+{
+  return { name, property, block.isSetOfPoints(), "parts",
+    "A set of points needs an array of its points, everything else one of its cells." };
+}
+
+PartArray arrayOfTargets(const char* name)
+{
+  return { name, "TargetNameArrayName", true, "points", "Choose an array of its points." };
+}
+
+/// \throws InputError if there is no such array, or it has several components or too few values.
+vtkAbstractArray* requireArray(vtkDataSet* data, const PolyDataBlock& block, const PartArray& array)
+{
+  vtkAbstractArray* values = array.find(data, array.areOfPoints);
+  if (!values)
+  {
+    const std::string named = std::string(" array named ") + array.name;
+    const std::string other = array.areOfPoints ? "cell" : "point";
+    throw InputError(block.name.atBeginning() + " has no " + array.kind() + named + ", by which " +
+      array.property + " names its " + array.named +
+      (array.find(data, !array.areOfPoints) ? ", but a " + other + named : "") + ". " +
+      array.advice);
   }
   if (values->GetNumberOfComponents() != 1)
   {
-    throw InputError(begin + " has " + std::to_string(values->GetNumberOfComponents()) +
-      " components, where one number is needed. Choose an array with one component.");
+    throw InputError(array.in(block) + " has " + std::to_string(values->GetNumberOfComponents()) +
+      " components, where one value is needed. Choose an array with one component.");
   }
-  const vtkIdType count = areOfPoints ? data->GetNumberOfPoints() : data->GetNumberOfCells();
+  const vtkIdType count = array.count(data);
   if (values->GetNumberOfTuples() < count)
   {
-    throw InputError(begin + " has " + std::to_string(values->GetNumberOfTuples()) +
-      " values for " + std::to_string(count) + ' ' + kind + "s. Give each a value.");
+    throw InputError(array.in(block) + " has " + std::to_string(values->GetNumberOfTuples()) +
+      " values for " + std::to_string(count) + ' ' + array.kind() + "s. Give each a value.");
   }
   return values;
 }
 
+/// Null if the array does not hold integers.
+vtkDataArray* integersOf(vtkAbstractArray* any)
+{
+  auto* values = vtkDataArray::SafeDownCast(any);
+  const int type = values ? values->GetDataType() : VTK_FLOAT;
+  return type == VTK_FLOAT || type == VTK_DOUBLE ? nullptr : values;
+}
+
+bool isEmpty(vtkDataSet* data)
+{
+  return data->GetNumberOfPoints() + data->GetNumberOfCells() == 0;
+}
+
+/// The names in an array of strings or integers; none if it is not chosen.
+///
+/// \throws InputError
+std::vector<std::string> readNames(
+  vtkDataSet* data, const PolyDataBlock& block, const PartArray& array)
+{
+  std::vector<std::string> names;
+  if (!isChosen(array.name) || isEmpty(data))
+  {
+    return names;
+  }
+  vtkAbstractArray* any = requireArray(data, block, array);
+  vtkDataArray* numbers = integersOf(any);
+  auto* words = vtkStringArray::SafeDownCast(any);
+  if (!numbers && !words)
+  {
+    throw InputError(array.in(block) + " is a " + any->GetClassName() +
+      ", where strings or whole numbers are needed. Choose an array of these.");
+  }
+  const vtkIdType count = array.count(data);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const vtkVariant value = any->GetVariantValue(i);
+    const bool isByte = numbers && numbers->GetDataTypeSize() == 1; // else written as a letter
+    names.push_back(isByte ? std::to_string(value.ToInt()) : std::string(value.ToString()));
+  }
+  return names;
+}
+
 /// Values that cannot be ids become -1 or SourceIdEnd.
-std::vector<vtkIdType> readSourceIds(
-  vtkDataSet* data, const PolyDataBlock& block, const char* array)
+std::vector<vtkIdType> readSourceIds(vtkDataSet* data, const PolyDataBlock& block, const char* name)
 {
   std::vector<vtkIdType> ids;
-  if (!isChosen(array) || data->GetNumberOfPoints() + data->GetNumberOfCells() == 0)
+  if (!isChosen(name) || isEmpty(data))
   {
     return ids;
   }
-  vtkDataArray* values = requireSourceIds(data, block, array);
-  const vtkIdType count =
-    block.isSetOfPoints() ? data->GetNumberOfPoints() : data->GetNumberOfCells();
+  const PartArray array = arrayOfParts(block, name, "SourceIdArrayName");
+  vtkAbstractArray* any = requireArray(data, block, array);
+  vtkDataArray* values = integersOf(any);
+  if (!values)
+  {
+    throw InputError(array.in(block) + " is a " + any->GetClassName() +
+      ", where whole numbers are needed. Choose an array of integers, or make one (Calculator with "
+      "an integer as Result Array Type).");
+  }
+  const vtkIdType count = array.count(data);
   for (vtkIdType i = 0; i < count; ++i)
   {
     const double value = values->GetComponent(i, 0);
@@ -434,6 +506,26 @@ vtkSmartPointer<vtkCellArray> getCells(MessageReader& reader)
   return cells;
 }
 
+void putNames(Message& message, const std::vector<std::string>& names)
+{
+  put(message, names.size());
+  for (const std::string& name : names)
+  {
+    putAll(message, std::vector<char>(name.begin(), name.end()));
+  }
+}
+
+std::vector<std::string> getNames(MessageReader& reader)
+{
+  std::vector<std::string> names(reader.get<std::size_t>());
+  for (std::string& name : names)
+  {
+    const auto chars = reader.getAll<char>();
+    name.assign(chars.begin(), chars.end());
+  }
+  return names;
+}
+
 void putBlock(const PolyDataBlock& block, Message& message)
 {
   const std::string& part = block.name.withoutInput();
@@ -457,6 +549,8 @@ void putBlock(const PolyDataBlock& block, Message& message)
   put(message, block.droppedCells);
   putAll(message, block.sourceIds);
   putAll(message, block.originalPoints);
+  putNames(message, block.partNames);
+  putNames(message, block.pointNames);
 }
 
 /// Adds the blocks of a message to others.
@@ -491,6 +585,8 @@ std::size_t takeBlocks(
       reader.get<vtkIdType>() });
     blocks.back().sourceIds = reader.getAll<vtkIdType>();
     blocks.back().originalPoints = reader.getAll<vtkIdType>();
+    blocks.back().partNames = getNames(reader);
+    blocks.back().pointNames = getNames(reader);
   }
   return numberOfPoints;
 }
@@ -543,20 +639,32 @@ std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const PartName& 
 }
 
 std::vector<PolyDataBlock> sourceBlocks(
-  vtkDataObject* input, const PartName& name, const char* idArray)
+  vtkDataObject* input, const PartName& name, const PartArrays& arrays)
 {
   return blocksOf(input, name,
-    [idArray](vtkDataObject* data, const PartName& ownName)
+    [&arrays](vtkDataObject* object, const PartName& ownName)
     {
-      PolyDataBlock block = sourceBlock(data, ownName);
-      block.sourceIds = readSourceIds(vtkDataSet::SafeDownCast(data), block, idArray);
+      PolyDataBlock block = sourceBlock(object, ownName);
+      auto* data = vtkDataSet::SafeDownCast(object);
+      block.sourceIds = readSourceIds(data, block, arrays.sourceIds);
+      block.partNames =
+        readNames(data, block, arrayOfParts(block, arrays.sourceNames, "SourceNameArrayName"));
+      block.pointNames = readNames(data, block, arrayOfTargets(arrays.targetNames));
       return block;
     });
 }
 
-std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const PartName& name)
+std::vector<PolyDataBlock> targetBlocks(
+  vtkDataObject* input, const PartName& name, const char* nameArray)
 {
-  return blocksOf(input, name, targetBlock);
+  return blocksOf(input, name,
+    [nameArray](vtkDataObject* data, const PartName& ownName)
+    {
+      PolyDataBlock block = targetBlock(data, ownName);
+      block.pointNames =
+        readNames(vtkDataSet::SafeDownCast(data), block, arrayOfTargets(nameArray));
+      return block;
+    });
 }
 
 void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* array, Exchange& exchange)

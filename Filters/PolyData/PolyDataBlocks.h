@@ -49,6 +49,10 @@ struct PolyDataBlock
   /// The ids of the parts of a source, by the numbers that cells have in the input, or by the
   /// points of a set of points. Empty unless an array names them; see sourceBlocks().
   std::vector<vtkIdType> sourceIds = {};
+  /// What the parts of a source are called, by the same numbers. Empty unless an array says so.
+  std::vector<std::string> partNames = {};
+  /// What the points are called if they are targets. Empty unless an array says so.
+  std::vector<std::string> pointNames = {};
   /// For each point of a source, or of targets, the point of the surface that it was taken from
   /// (ParaView's array vtkOriginalPointIds). Empty where that is unknown.
   std::vector<vtkIdType> originalPoints = {};
@@ -85,20 +89,32 @@ constexpr vtkIdType SourceIdEnd = static_cast<vtkIdType>(
 ///         read; it says which and what to do.
 std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const PartName& name);
 
+/// Names of arrays of a source or of targets. Null, empty and "None" (the first entry of ParaView's
+/// list) stand for none.
+struct PartArrays
+{
+  /// Of the ids of the source's parts: an array of the points of a set of points, else of cells.
+  const char* sourceIds = nullptr;
+  /// Of the parts' names, in the same place.
+  const char* sourceNames = nullptr;
+  /// Of the names of the points, which are the targets.
+  const char* targetNames = nullptr;
+};
+
 /// The same for a source, which may be any vtkPointSet, or leaves that are: of a
 /// vtkUnstructuredGrid the vertices and lines, of others than that and vtkPolyData the points
 /// alone.
 ///
-/// \param idArray the name of the array that names the parts of the source; null, empty and "None"
-///        (the first entry of ParaView's list) stand for none. Of a set of points it is a point
-///        array, else a cell array.
-/// \throws InputError also where a block that is not empty has no such array, or one that is not of
-///         integers, has several components or too few values.
+/// \throws InputError also where a block that is not empty has no such array, or one of another
+///         type (integers, or also strings for names), of several components or of too few values.
 std::vector<PolyDataBlock> sourceBlocks(
-  vtkDataObject* input, const PartName& name, const char* idArray);
+  vtkDataObject* input, const PartName& name, const PartArrays& arrays);
 
 /// The same for targets, which are the points of any vtkPointSet. Cells are left out.
-std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const PartName& name);
+///
+/// \param nameArray as PartArrays::targetNames.
+std::vector<PolyDataBlock> targetBlocks(
+  vtkDataObject* input, const PartName& name, const char* nameArray);
 
 /// Finds PolyDataBlock::barriers of the blocks of a surface. Blocks without the array have no
 /// barriers. An array with one value a face, which leaves out vertices and lines, is replaced by

@@ -5,17 +5,24 @@ from itertools import chain
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkCompositeDataSet, vtkDataObject, vtkPolyData
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkPoints
+from vtkmodules.vtkCommonDataModel import (VTK_BIQUADRATIC_QUAD, VTK_BIQUADRATIC_TRIANGLE, VTK_POLYGON, VTK_QUAD,
+                                           VTK_QUADRATIC_QUAD, VTK_QUADRATIC_TRIANGLE, VTK_TRIANGLE, vtkCellArray,
+                                           vtkCompositeDataSet, vtkDataObject, vtkPolyData, vtkUnstructuredGrid)
 
 from .arrays import SURFACES, points_of
-from .messages import GeodesicError
+from .messages import GeodesicError, warn
 
 FORM = "geodesicdistance.distance((points, faces), source)"
 # Names of the arrays that are added to inputs.
 BARRIERS, SOURCE_IDS = "barriers", "source_ids"
-# The cells of meshio that are faces, and those that lie beside them in its files.
-FACE_TYPES, OTHER_TYPES = ("triangle", "quad", "polygon"), ("vertex", "line")
+# The cells of meshio that are faces, with VTK's types, and how those begin that may lie beside them.
+FACE_TYPES = {"triangle": VTK_TRIANGLE, "quad": VTK_QUAD, "polygon": VTK_POLYGON}
+CURVED_TYPES = {"triangle6": VTK_QUADRATIC_TRIANGLE, "triangle7": VTK_BIQUADRATIC_TRIANGLE,
+                "quad8": VTK_QUADRATIC_QUAD, "quad9": VTK_BIQUADRATIC_QUAD}
+OTHER_TYPES = ("vertex", "line")
+# The names that objects have for their points and faces.
+POINTS, FACES = ("points", "vertices", "coordinates"), ("faces", "triangles", "cells")
 
 
 def surface_data(surface):
@@ -28,7 +35,9 @@ def surface_data(surface):
                             "extract_surface()) makes one of it.")
     points, faces = _points_and_faces(surface)
     data = point_set(points, "The points of the surface")
-    data.SetPolys(_cell_array(*_corners(faces, data.GetNumberOfPoints())))
+    if _are_blocks(faces):
+        return _with_blocks(data, faces)
+    data.SetPolys(_cell_array(*_corners(*_faces(faces, data.GetNumberOfPoints()), data.GetNumberOfPoints())))
     return data
 
 
@@ -75,7 +84,8 @@ def _shallow_copy(data, what):
 def point_indices(where, count, name):
     """The indices of points of a surface that has so many, or None where these are no indices.
 
-    where: indices, or a mask with True and False for each point. name: what they are, for messages.
+    where: indices, or a mask with True and False for each point. name: what they are, for messages. A mask of 0 and 1
+    is refused: it would be the points 0 and 1.
     """
     if isinstance(where, vtkDataObject):
         return None
@@ -89,6 +99,9 @@ def point_indices(where, count, name):
         raise GeodesicError(f"{name} is empty: give at least one point.")
     if where.ndim > 1 or not np.issubdtype(where.dtype, np.integer):
         return None
+    if where.shape == (count,) and count > 2 and np.isin(where, (0, 1)).all():
+        raise GeodesicError(f"{name} has a 0 or 1 for each of the {count} points: as indices these are the points 0 "
+                            "and 1 only. If it is a mask, give it as True and False: mask.astype(bool).")
     return checked(np.atleast_1d(where), count, name)
 
 
@@ -127,8 +140,9 @@ def point_set(positions, name):
     if positions.ndim == 1 and positions.size == 3:
         positions = positions[None]
     if positions.ndim != 2 or positions.shape[1] != 3:
+        turned = " Give its transpose (.T) if its columns are the points." if positions.shape[:1] == (3,) else ""
         raise GeodesicError(f"{name}: the positions are given as an array of shape {positions.shape}; it has to be "
-                            "(number, 3). Indices are integers.")
+                            f"(number, 3). Indices are integers.{turned}")
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(positions), deep=True))
     data = vtkPolyData()
@@ -174,20 +188,40 @@ def _array(values, name):
 
 
 def _points_and_faces(surface):
-    """Those of a pair, or of an object that has them (trimesh, meshio, open3d)."""
-    if isinstance(surface, (tuple, list)) and len(surface) == 2:
-        return surface
-    points = [getattr(surface, name) for name in ("points", "vertices") if hasattr(surface, name)]
-    faces = [getattr(surface, name) for name in ("faces", "triangles", "cells") if hasattr(surface, name)]
+    """Those of an object that has them (trimesh, meshio, open3d, nilearn), of a pair, or of napari's triple."""
+    points = [getattr(surface, name) for name in POINTS if hasattr(surface, name)]
+    faces = [getattr(surface, name) for name in FACES if hasattr(surface, name)]
     if points and faces:
         return points[0], faces[0]
+    if isinstance(surface, (tuple, list)) and (len(surface) == 2 or _are_with_values(surface)):
+        return surface[:2]
+    parts = getattr(surface, "parts", None)
+    if isinstance(parts, dict) and parts:
+        raise GeodesicError(f"A {type(surface).__name__} has several surfaces. Give one of its parts: "
+                            f".parts[{next(iter(parts))!r}].")
     raise GeodesicError(f"A {type(surface).__name__} is no surface. Surfaces are a vtkPolyData, points and faces as a "
-                        f"pair, as in {FORM}, or an object that has points (or vertices) and faces (or triangles).")
+                        f"pair, as in {FORM}, or an object that has points (or vertices, coordinates) and faces (or "
+                        "triangles).")
 
 
-def _corners(faces, count):
+def _are_with_values(surface):
+    """Whether these are points, faces, and a value for each point, or a row of them for each time."""
+    if len(surface) != 3:
+        return False
+    points, values = _shape(surface[0]), _shape(surface[2])
+    return len(points) == 2 and values[-1:] == points[:1]
+
+
+def _shape(values):
+    """The shape of an array or of nested lists; () if there is none."""
+    try:
+        return np.shape(values)
+    except ValueError:
+        return ()
+
+
+def _corners(sizes, ids, count):
     """The number of corners of each face, and the corners of all, of points that are so many."""
-    sizes, ids = _faces(faces, count)
     if (sizes < 3).any():
         raise GeodesicError(f"Face {np.argmax(sizes < 3)} has {sizes[np.argmax(sizes < 3)]} corners: a face has three "
                             "or more.")
@@ -197,11 +231,39 @@ def _corners(faces, count):
 
 
 def _faces(faces, count):
-    """As _corners(), of the blocks of meshio, of VTK's flat list, or of rows."""
-    if isinstance(faces, (list, tuple)) and any(isinstance(getattr(block, "type", None), str) for block in faces):
-        return _of_blocks(faces)
+    """The sizes and corners of faces given by VTK's flat list, or by rows."""
+    if not isinstance(faces, (list, tuple)) and getattr(faces, "dtype", None) != object:
+        _refuse_columns(_integers(faces))
     sizes, ids = _rows(faces)
     return _of_flat_list(ids) if sizes is None else _without_counts(sizes, ids, count)
+
+
+def _refuse_columns(faces):
+    """Refuses an array whose three rows have the corners of triangles, one in each column.
+
+    Its rows may be polygons, too: they are if they hang together, by two edges that are shared in opposite directions,
+    and share more than the columns do. Three polygons of which nothing tells that are taken as a list of rows only.
+    """
+    if faces.ndim != 2 or faces.shape[0] != 3 or faces.shape[1] in (0, 3):
+        return
+    triangles, polygons = _shared_edges(faces.T), _shared_edges(faces)
+    if triangles is None or (polygons is not None and polygons > max(triangles, 1)):
+        return
+    count = faces.shape[1]
+    rows = f" Three faces of {count} corners are given as a list of rows: faces.tolist()." if count > 3 else ""
+    raise GeodesicError(f"Faces are given as an array of shape {faces.shape}, whose columns may be triangles: give a "
+                        f"row for each, faces.T.{rows}")
+
+
+def _shared_edges(faces):
+    """How many edges two faces share; -1 where one has the same direction twice, None where these are no faces."""
+    corners = np.sort(faces, axis=1)
+    if faces.shape[1] < 3 or (corners[:, 1:] == corners[:, :-1]).any():
+        return None
+    edges = np.column_stack((faces.ravel(), np.roll(faces, -1, axis=1).ravel()))
+    if len(np.unique(edges, axis=0)) < len(edges):
+        return -1
+    return len(edges) - len(np.unique(np.sort(edges, axis=1), axis=0))
 
 
 def _rows(faces):
@@ -217,18 +279,44 @@ def _rows(faces):
     return (np.full(array.shape[0], array.shape[1]) if array.ndim == 2 else None), array.ravel()
 
 
-def _of_blocks(blocks):
-    sizes, ids = [np.empty(0, int)], [np.empty(0, int)]
+def _are_blocks(faces):
+    """Whether these are meshio's blocks of cells."""
+    return isinstance(faces, (list, tuple)) and any(isinstance(getattr(block, "type", None), str) for block in faces)
+
+
+def _with_blocks(data, blocks):
+    """A data set of points with those cells of meshio's blocks that are faces: a grid where some are curved."""
+    types, sizes, ids, others = [], [np.empty(0, int)], [np.empty(0, int)], {}
     for block in blocks:
-        if block.type in FACE_TYPES:
+        kind = {**FACE_TYPES, **CURVED_TYPES}.get(block.type)
+        if kind is None and not block.type.startswith(OTHER_TYPES):
+            others[block.type] = others.get(block.type, 0) + len(block.data)
+        elif kind is not None and len(block.data):
             own_sizes, own_ids = _rows(block.data)
-            if own_sizes is not None:
-                sizes.append(own_sizes)
-                ids.append(own_ids)
-        elif block.type not in OTHER_TYPES:
-            raise GeodesicError(f"The mesh has cells of type {block.type}. A surface has cells of the types "
-                                f"{', '.join(FACE_TYPES)}.")
-    return np.concatenate(sizes), np.concatenate(ids)
+            types += [kind] * len(own_sizes)
+            sizes.append(own_sizes)
+            ids.append(own_ids)
+    _note_left_out(others, len(types))
+    cells = _cell_array(*_corners(np.concatenate(sizes), np.concatenate(ids), data.GetNumberOfPoints()))
+    if not set(types) & set(CURVED_TYPES.values()):
+        data.SetPolys(cells)
+        return data
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(data.GetPoints())
+    grid.SetCells(numpy_to_vtk(np.array(types, np.uint8), deep=True, array_type=VTK_UNSIGNED_CHAR), cells)
+    return grid
+
+
+def _note_left_out(others, count):
+    """Says which cells are not taken. others: how many there are of each type. count: of faces."""
+    faces = ", ".join((*FACE_TYPES, *CURVED_TYPES))
+    for name, number in others.items():
+        if name.startswith(("triangle", "quad")) or (number and not count):
+            raise GeodesicError(f"The mesh has cells of type {name}. A surface has cells of the types {faces}: make "
+                                "these, for volumes by vtkDataSetSurfaceFilter (in PyVista extract_surface()).")
+    left_out = " and ".join(f"{number} of type {name}" for name, number in others.items() if number)
+    if left_out:
+        warn(f"Of the mesh's cells {left_out} are left out: the surface has its {count} faces alone.")
 
 
 def _of_flat_list(ids):

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A surface that is asked several times."""
 
+import functools
 import inspect
+import os
+import threading
 from contextlib import contextmanager
 
 import numpy as np
@@ -9,10 +12,27 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
-from . import arrays, inputs
+from . import arrays, inputs, pickling
 from .messages import GeodesicError, property_name, run, warn
 from .vtkFiltersGeodesic import (vtkGeodesicContour, vtkGeodesicDistanceField, vtkGeodesicDistanceMatrix,
                                  vtkGeodesicPaths)
+
+
+# VTK's number of threads, its observers and where its messages go are of the whole process, so one call runs at a time.
+# Threads that wait for it do not hold Python's own lock.
+LOCK = threading.RLock()
+if hasattr(os, "register_at_fork"):  # else a process forked during a call waits forever for the end of it
+    os.register_at_fork(before=LOCK.acquire, after_in_parent=LOCK.release, after_in_child=LOCK.release)
+
+
+def _one_at_a_time(function):
+    """Holds LOCK during a call. What it returns must have no memory of VTK's: the next call writes there."""
+    @functools.wraps(function)
+    def alone(*arguments, **options):
+        with LOCK:
+            return function(*arguments, **options)
+
+    return alone
 
 
 class Surface:
@@ -20,10 +40,14 @@ class Surface:
 
     surface: as for the functions of this package; of arrays a copy is kept. barriers, merge_coincident_points,
     merge_tolerance, threads: see help(geodesicdistance). Each method is the function of its name without these.
+
+    Several threads may ask at once: their calls wait for each other, and each uses VTK's threads. For calls side by
+    side use processes: a Surface can be pickled, and its copy has a copy of the data and makes the structure anew.
     """
 
     # Where a method begins, locals() are its arguments: they are handed on by their names.
 
+    @_one_at_a_time
     def __init__(self, surface, *, barriers=None, merge_coincident_points=True, merge_tolerance=0, threads=None):
         self._data = inputs.surface_data(surface)
         self._properties = {"merge_coincident_points": merge_coincident_points, "merge_tolerance": merge_tolerance,
@@ -34,9 +58,23 @@ class Surface:
             self._data = inputs.with_barriers(self._data, barriers)
             self._properties["barrier_array_name"] = inputs.BARRIERS
         self._threads = threads
+        self._forget()
+
+    @_one_at_a_time
+    def __getstate__(self):
+        return {"data": pickling.bytes_of(self._data), "properties": self._properties, "threads": self._threads}
+
+    def __setstate__(self, state):
+        self._data = pickling.data_of(*state["data"])
+        self._properties, self._threads = dict(state["properties"]), state["threads"]
+        self._forget()
+
+    def _forget(self):
+        """Has no filters yet."""
         self._filters = {}
         self._used = None, None  # which points faces use, and at which state of the data
 
+    @_one_at_a_time
     def distance(self, source, *, maximum_distance=0, accuracy=None, relative_error=None, unreached_value=0,
                  custom_unreached_value=-1, boundary=False):
         """The distance of every point of the surface to the source, as an array; infinite where no path leads.
@@ -46,6 +84,7 @@ class Surface:
         output = Surface._solve(**{**FIELD_DEFAULTS, **locals()})
         return arrays.point_array(output, "GeodesicDistance")
 
+    @_one_at_a_time
     def field(self, source, *, maximum_distance=0, accuracy=None, relative_error=None, refine_mesh=False,
               refinement_tolerance=0.001, tolerance_is_absolute=False, absolute_refinement_tolerance=1,
               maximum_number_of_cells=50_000_000, refine_source_borders=False, unreached_value=0,
@@ -69,6 +108,7 @@ class Surface:
         return {**arrays.arrays_of([block.GetPointData() for block in arrays.blocks_of(output)]), **_frames(output),
                 "points": np.array(arrays.points_of(output)), "faces": arrays.faces_of(output)}
 
+    @_one_at_a_time
     def contour(self, source, distances, *, chord_tolerance=0.0001, tolerance_is_absolute=False,
                 absolute_chord_tolerance=1, signed_distances=False, boundary=False, join_lines=True, source_ids=None):
         """The lines at the given distances from the source, as a dictionary of arrays.
@@ -78,6 +118,7 @@ class Surface:
         """
         return _lines(Surface._run(kind=vtkGeodesicContour, **locals()))
 
+    @_one_at_a_time
     def paths(self, source, targets, *, generate_source_arc_length=False, generate_source_angle=False,
               generate_face_ids=False, boundary=False, join_lines=True, source_ids=None):
         """The shortest path from each target (given as a source is) to the source, as a dictionary of arrays.
@@ -100,6 +141,7 @@ class Surface:
             result["TargetId"] = np.flatnonzero(of_faces)[result["TargetId"]]
         return result
 
+    @_one_at_a_time
     def matrix(self, source=None, targets=None, *, pairs=None, maximum_distance=0, boundary=False, join_lines=True,
                source_ids=None):
         """The distances of each target (row) to each part of the source (column), each alone.

@@ -10,6 +10,7 @@
 #include "vtkGeodesicDistanceMatrix.h"
 #include "vtkGeodesicPaths.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -778,24 +779,46 @@ void TestPieces(Check& check, Ranks ranks, vtkPolyData* surface)
 void TestMatrix(Check& check, Ranks ranks, vtkPolyData* surface)
 {
   const auto points = PointSources({ { 0.1, 0.1, 0 }, { 0.9, 0.2, 0 }, { 0.5, 0.9, 0 } });
+  vtkNew<vtkStringArray> names;
+  names->SetName("names");
+  for (const char* name : { "left", "right hand", "left" })
+  {
+    names->InsertNextValue(name);
+  }
+  points->GetPointData()->AddArray(names);
   vtkNew<vtkGeodesicDistanceMatrix> alone;
   alone->SetController(nullptr);
   alone->SetInputData(surface);
   alone->SetSourceData(points);
+  alone->SetSourceNameArrayName("names");
+  alone->SetTargetNameArrayName("names");
   alone->Update();
   const auto compare = [&](vtkPolyData* piece, const std::string& what)
   {
     vtkNew<vtkGeodesicDistanceMatrix> matrix;
     matrix->SetInputData(piece);
     matrix->SetSourceData(points);
+    matrix->SetSourceNameArrayName("names");
+    matrix->SetTargetNameArrayName("names");
     matrix->Update();
     vtkTable* table = matrix->GetOutput();
     check.Equal(static_cast<double>(table->GetNumberOfRows()), ranks.Rank == 0 ? 3 : 0,
       what + ": rank 0 has the rows");
+    check.Equal(static_cast<double>(table->GetNumberOfColumns()), ranks.Rank == 0 ? 5 : 0,
+      what + ": rank 0 has the columns");
     for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
     {
       for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
       {
+        check.That(
+          table->GetColumnName(column) == std::string(alone->GetOutput()->GetColumnName(column)),
+          what + ": the names of columns");
+        if (column == 1)
+        {
+          check.That(table->GetValue(row, column).ToString() == names->GetValue(row),
+            what + ": the names of rows");
+          continue;
+        }
         check.Equal(table->GetValue(row, column).ToDouble(),
           alone->GetOutput()->GetValue(row, column).ToDouble(), what + ": the matrix");
       }

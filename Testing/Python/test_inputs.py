@@ -4,6 +4,7 @@
 GEODESIC_TEST_SEEDS=FIRST,COUNT takes other random surfaces.
 """
 
+import collections
 import os
 import types
 import unittest
@@ -122,6 +123,11 @@ def surfaces_of_triangles(points, faces):
     yield "like open3d", types.SimpleNamespace(vertices=AsArray(points), triangles=AsArray(array))
     yield "like vedo", types.SimpleNamespace(vertices=points, cells=faces)
     yield "like meshio", types.SimpleNamespace(points=points, cells=blocks_by_size(faces))
+    yield "like nilearn", types.SimpleNamespace(coordinates=points, faces=array, n_vertices=len(points))
+    yield "like nilearn's pair", collections.namedtuple("Mesh", "coordinates faces")(points, array)
+    yield "a named triple", collections.namedtuple("Mesh", "name faces coordinates")("left", array, points)
+    yield "napari's triple", (points, array, np.arange(len(points)))
+    yield "napari's triple of two times", [points.tolist(), faces, np.zeros((2, len(points)))]
     if pandas:
         frame = pandas.DataFrame(points, columns=["x", "y", "z"])
         corners = pandas.DataFrame(array, columns=["a", "b", "c"])
@@ -169,6 +175,82 @@ class Surfaces(unittest.TestCase):
                     result = field(surface, 5)
                     np.testing.assert_array_equal(result["faces"], expected["faces"])
                     np.testing.assert_array_equal(result["GeodesicDistance"], expected["GeodesicDistance"])
+
+    def test_of_meshio_are_the_cells_that_are_faces(self):
+        random = np.random.default_rng(FIRST)
+        points, faces = hills(random, mixed=True)
+        faces = sorted_by_size(faces)
+        expected = field((points, faces), 5)
+        cells = blocks_by_size(faces)
+        for name, number in (("tetra", 4), ("hexahedron", 8), ("tetra10", 10)):
+            cells.insert(0, types.SimpleNamespace(type=name, data=random.integers(0, len(points), (3, number))))
+        cells.append(types.SimpleNamespace(type="wedge", data=np.empty((0, 6), int)))
+        cells.append(types.SimpleNamespace(type="line3", data=[[0, 1, 2]]))
+        mesh = types.SimpleNamespace(points=points, cells=cells)
+        with self.assertWarnsRegex(UserWarning, "3 of type tetra10 and 3 of type hexahedron and 3 of type tetra are "
+                                   f"left out: the surface has its {len(faces)} faces alone") as caught:
+            result = field(mesh, 5)
+        self.assertEqual(caught.filename, __file__)
+        np.testing.assert_array_equal(result["faces"], expected["faces"])
+        np.testing.assert_array_equal(result["GeodesicDistance"], expected["GeodesicDistance"])
+        cubic = types.SimpleNamespace(type="triangle10", data=[[0] * 10])
+        for cells, message in ((cells[:3], "cells of type tetra10. A surface has cells of the types triangle, quad"),
+                               ([*cells, cubic], "type triangle10")):
+            with self.assertRaisesRegex(GeodesicError, message), warnings.catch_warnings():
+                distance(types.SimpleNamespace(points=points, cells=cells), 5)
+
+    def test_of_meshio_may_be_curved(self):
+        """A cell of six points is four triangles through them."""
+        points, faces = hills(np.random.default_rng(FIRST))
+        corners = np.array(faces)
+        ends = np.sort(np.stack((corners, np.roll(corners, -1, axis=1)), axis=2).reshape(-1, 2), axis=1)
+        edges, middles = np.unique(ends, axis=0, return_inverse=True)
+        more = np.concatenate((points, points[edges].mean(axis=1) + (0, 0, 0.1)))
+        ab, bc, ca = (len(points) + middles.reshape(-1, 3)).T
+        a, b, c = corners.T
+        parts = (a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)
+        split = np.concatenate([np.column_stack(part) for part in parts])
+        cells = [types.SimpleNamespace(type="triangle6", data=np.column_stack((corners, ab, bc, ca)))]
+        mesh = types.SimpleNamespace(points=more, cells=cells)
+        np.testing.assert_allclose(distance(mesh, 5), distance((more, split), 5), atol=EXACT)
+        cells[0].data, rest = cells[0].data[1:], cells[0].data[:1, :3]
+        cells.append(types.SimpleNamespace(type="triangle", data=rest))
+        flat = np.concatenate((split[np.arange(len(split)) % len(corners) != 0], rest))
+        np.testing.assert_allclose(distance(mesh, 5)[:len(points)], distance((more, flat), 5)[:len(points)], atol=EXACT)
+        walls = np.arange(len(corners)) % 3 == 1
+        four = np.concatenate([np.roll(walls, -1)[:-1]] * 4 + [walls[:1]])
+        order = np.concatenate((split.reshape(4, -1, 3)[:, 1:].reshape(-1, 3), rest))
+        np.testing.assert_allclose(distance(mesh, 5, barriers=np.roll(walls, -1))[:len(points)],
+                                   distance((more, order), 5, barriers=four)[:len(points)], atol=EXACT)
+
+    def test_of_triangles_in_columns_are_refused(self):
+        for seed in range(FIRST, FIRST + 10 * COUNT):
+            points, faces = hills(np.random.default_rng(seed))
+            array, in_order = np.array(faces), np.array(sorted(faces))  # which has neighbors behind one another
+            for count in (1, 2, 4, 5, 6, len(faces)):
+                for rows in (in_order[:count], np.roll(in_order, seed, axis=1)[::-1][:count], array):
+                    with self.subTest(seed=seed, count=count), \
+                            self.assertRaisesRegex(GeodesicError, r"row for each, faces\.T"):
+                        distance((points, rows.T), int(rows[0, 0]))
+        for rows in ([[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 5]], [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]):
+            with self.assertRaisesRegex(GeodesicError, r"faces\.tolist\(\)"):
+                distance((points, np.array(rows).T), 0)
+
+    def test_of_three_polygons_are_taken(self):
+        """In a row, around a corner, as a list also where nothing tells, and with counts."""
+        x, y = np.meshgrid(np.arange(4.0), np.arange(3.0))
+        points = np.column_stack((x.ravel(), y.ravel(), np.zeros(12)))
+        row, corner = [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6]], [[0, 1, 5, 4], [1, 2, 6, 5], [4, 5, 9, 8]]
+        for faces in (row, corner):
+            expected = distance(poly_data(points, faces), 0)
+            for form in (faces, np.array(faces), np.insert(faces, 0, 4, axis=1)):
+                np.testing.assert_allclose(distance((points, form), 0), expected, atol=EXACT)
+        apart = [[0, 1, 5, 4], [2, 3, 7, 6], [8, 9, 10, 11]]
+        with self.assertRaisesRegex(GeodesicError, r"Three faces of 4 corners are .* list of rows: faces\.tolist"):
+            distance((points, np.array(apart)), 0)
+        self.assertAlmostEqual(distance((points, apart), 0)[5], 2 ** 0.5, delta=EXACT)
+        cells = [types.SimpleNamespace(type="quad", data=np.array(apart))]
+        self.assertAlmostEqual(distance(types.SimpleNamespace(points=points, cells=cells), 0)[5], 2 ** 0.5, delta=EXACT)
 
     def test_with_counts_that_could_be_corners_are_refused(self):
         refused = 0
@@ -260,12 +342,17 @@ class Surfaces(unittest.TestCase):
                 ((points, []), f"has {n} points and no faces"),
                 ((np.empty((0, 3)), []), "has 0 points"),
                 ((points[:, :2], faces), r"\(number, 3\)"),
-                ((points.T, faces), r"\(number, 3\)"),
+                ((points.T, faces), r"\(number, 3\).*\.T"),
                 ((points.astype(complex), faces), "complex128 are given where numbers are needed"),
                 ((points.astype(str), faces), "numbers are needed"),
                 (([[0, 0, 0], [1, 0]], faces), "rows differ in length"),
                 ((bad, faces), "NaN or infinite, at point 1"),
-                (tetrahedra, "type tetra.*triangle, quad"),
+                (tetrahedra, "type tetra.*triangle, quad.*vtkDataSetSurfaceFilter"),
+                (types.SimpleNamespace(parts={"left": 0, "right": 1}), r"Give one of its parts: \.parts\['left'\]"),
+                ((points, faces, [1, 2]), "A tuple is no surface"),
+                ((points, faces, faces), "A tuple is no surface"),
+                ([(0, 0, 0), (1, 0, 0), (0, 1, 0)], "A list is no surface"),
+                ((points, faces, [[1, 2], [3]]), "A tuple is no surface"),
                 (types.SimpleNamespace(points=points), "pair, as in geodesicdistance.distance"),
                 (points, "pair, as in geodesicdistance.distance"),
                 ("mesh.stl", "A str is no surface"),
@@ -330,6 +417,9 @@ class Sources(unittest.TestCase):
                 ([curve([(0, 0, 0)])], "not an array of numbers"),
                 ([True, False], f"shape \\(2,\\), but the surface has {n} points"),
                 (True, "shape \\(\\), but the surface"),
+                (np.arange(n) % 2, f"has a 0 or 1 for each of the {n} points.*mask.astype\\(bool\\)"),
+                ((np.arange(n) % 2).tolist(), "mask.astype"),
+                (np.zeros(n, np.uint8), "mask.astype"),
                 ([], "source is empty"),
                 (np.zeros(n, bool), "source is empty"),
                 (np.empty((0, 3)), "source is empty"),
@@ -342,13 +432,23 @@ class Sources(unittest.TestCase):
             with self.subTest(source=repr(source)), self.assertRaisesRegex(GeodesicError, message):
                 distance((points, faces), source)
         for targets, message in (({1}, "targets is given as a set"), (-1, "there is no -1"), ([], "targets is empty"),
-                                 (1.5, "Indices are integers")):
+                                 (1.5, "Indices are integers"),
+                                 (np.arange(n) % 2, "set of targets has a 0 or 1 for each")):
             for ask in (paths, matrix):
                 with self.subTest(targets=repr(targets)), self.assertRaisesRegex(GeodesicError, message):
                     ask((points, faces), 0, targets)
         for positions, message in (([], r"curve"), ([(0, 0)], r"\(number, 3\)"), ("ab", "given as a str")):
             with self.assertRaisesRegex(GeodesicError, message):
                 curve(positions)
+
+    def test_of_indices_0_and_1_are_no_masks_where_they_are_not_as_many_as_the_points(self):
+        points, faces = hills(np.random.default_rng(FIRST))
+        np.testing.assert_array_equal(distance((points, faces), [0, 1, 0]), distance((points, faces), [0, 1]))
+        mask = np.arange(len(points)) % 2
+        np.testing.assert_array_equal(distance((points, faces), mask.astype(bool)),
+                                      distance((points, faces), np.flatnonzero(mask)))
+        np.testing.assert_array_equal(matrix((points, faces), 0, mask + 1)[:, 0],
+                                      distance((points, faces), 0)[mask + 1])
 
     def test_that_no_face_uses_are_refused_unless_they_are_at_a_place_of_the_surface(self):
         points, faces = hills(np.random.default_rng(FIRST))

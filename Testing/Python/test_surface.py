@@ -1,8 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """geodesicdistance.Surface: what the functions give, call after call; pairs; threads; points that no face uses."""
 
+import copy
 import inspect
 import math
+import multiprocessing
+import os
+import pickle
+import sys
+import threading
 import unittest
 import warnings
 
@@ -11,9 +17,10 @@ import numpy as np
 import geodesicdistance
 from geodesicdistance import GeodesicError, Surface, contour, curve, distance, field, matrix, paths
 from test_functions import EXACT, as_poly_data, octahedron, sheet
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
-from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkCommonDataModel import (VTK_TRIANGLE, vtkCellArray, vtkMultiBlockDataSet, vtkPolyData,
+                                           vtkUnstructuredGrid)
 
 LINE = curve([(0.25, 0.5, 0), (0.75, 0.5, 0)])
 # A function, its positional arguments and its options: each on the sheet.
@@ -40,6 +47,36 @@ def cells(rows):
     for row in rows:
         array.InsertNextCell(len(row), [int(i) for i in row])
     return array
+
+
+def with_array(name, values, data):
+    """A copy of a data set that has a cell array more."""
+    other = data.NewInstance()
+    other.DeepCopy(data)
+    array = numpy_to_vtk(values.astype(float), deep=True)
+    array.SetName(name)
+    other.GetCellData().AddArray(array)
+    return other
+
+
+def as_grid(data):
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(data.GetPoints())
+    grid.SetCells(VTK_TRIANGLE, data.GetPolys())
+    return grid
+
+
+def of_subclass(data):
+    """As PyVista's meshes are of classes of its own."""
+    mesh = type("Mesh", (vtkPolyData,), {})()
+    mesh.ShallowCopy(data)
+    return mesh
+
+
+def in_blocks(data):
+    blocks = vtkMultiBlockDataSet()
+    blocks.SetBlock(0, data)
+    return blocks
 
 
 def same(one, other):
@@ -156,6 +193,7 @@ class Properties(unittest.TestCase):
     def test_are_all_arguments(self):
         """Each setter of the filters is an argument, or has another name here."""
         others = {"Controller", "SourceType", "SourceConnection", "SourceData", "BarrierArrayName", "SourceIdArrayName",
+                  "SourceNameArrayName", "TargetNameArrayName",  # a numpy array has no names
                   "TargetsConnection", "TargetsData", "NumberOfContours", "Value"}
         for name, kind in (("field", "DistanceField"), ("contour", "Contour"), ("paths", "Paths"),
                            ("matrix", "DistanceMatrix")):
@@ -363,6 +401,127 @@ class Threads(unittest.TestCase):
             distance(sheet(), 0, threads=0)
 
 
+class Callers(unittest.TestCase):
+    """Threads of Python's that use surfaces at once, and are switched between as often as can be."""
+
+    CALLS = [call for call in CALLS if not call[2].get("refine_mesh")]
+
+    def setUp(self):
+        self.addCleanup(sys.setswitchinterval, sys.getswitchinterval())
+        sys.setswitchinterval(1e-6)
+
+    def in_threads(self, ask, number=8):
+        """Calls ask(i) in so many threads at once; what they raise is raised here."""
+        errors = []
+
+        def work(i, barrier=threading.Barrier(number)):
+            try:
+                barrier.wait()
+                ask(i)
+            except BaseException as error:
+                errors.append(error)
+
+        threads = [threading.Thread(target=work, args=(i,)) for i in range(number)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        if errors:
+            raise errors[0]
+
+    def test_have_their_own_results_of_one_surface(self):
+        kept = Surface(sheet())
+        expected = [getattr(kept, name)(*arguments, **more) for name, arguments, more in self.CALLS]
+        wrong = []
+
+        def ask(i):
+            for k in range(40):
+                number = (i * 5 + k * 7) % len(self.CALLS)
+                name, arguments, more = self.CALLS[number]
+                if not same(getattr(kept, name)(*arguments, **more), expected[number]):
+                    wrong.append(name)
+
+        self.in_threads(ask)
+        self.assertEqual(wrong, [])
+
+    def test_have_their_own_errors_and_warnings(self):
+        """And numbers of threads: those of one call are not put back in the middle of another."""
+        before = vtkSMPTools.GetBackend(), vtkSMPTools.GetEstimatedNumberOfThreads()
+        kept = Surface(sheet())
+
+        def ask(i):
+            own = Surface(sheet(), threads=1 + i % 2)
+            for k in range(10):
+                if i % 4 == 0:
+                    with self.assertRaisesRegex(GeodesicError, "maximum_distance"):
+                        kept.distance(i, maximum_distance=-1)
+                else:
+                    self.assertEqual(kept.distance(i)[i], 0)
+                self.assertEqual(own.distance(k)[k], 0)
+                self.assertEqual(distance(sheet(), k, threads=1 + k % 2)[k], 0)
+
+        self.in_threads(ask)
+        self.assertEqual((vtkSMPTools.GetBackend(), vtkSMPTools.GetEstimatedNumberOfThreads()), before)
+
+    def test_may_be_processes(self):
+        kept = Surface(sheet(), barriers=np.arange(128) % 9 == 8)
+        for method in multiprocessing.get_all_start_methods():
+            with multiprocessing.get_context(method).Pool(2) as pool:
+                for source, result in enumerate(pool.map(kept.distance, range(4))):
+                    np.testing.assert_array_equal(result, kept.distance(source))
+
+    @unittest.skipUnless(hasattr(os, "register_at_fork"), "this system has no fork")
+    def test_may_be_processes_forked_during_a_call(self):
+        kept, is_over = Surface(sheet(40)), threading.Event()
+
+        def ask():
+            while not is_over.is_set():
+                kept.distance(0)
+
+        other = threading.Thread(target=ask)
+        other.start()
+        try:
+            context = multiprocessing.get_context("fork")
+            for _ in range(5):
+                process = context.Process(target=Surface, args=(sheet(),))
+                process.start()
+                process.join(60)
+                self.assertEqual(process.exitcode, 0)
+        finally:
+            is_over.set()
+            other.join()
+
+
+class Pickles(unittest.TestCase):
+    def test_answer_as_the_surface_does(self):
+        walls = np.arange(128) % 9 == 8
+        data = as_poly_data(sheet())
+        named = with_array("walls", walls, data)
+        for surface, options in ((sheet(), {}), (sheet(), {"barriers": walls}), (data, {"barriers": walls}),
+                                 (named, {"barriers": "walls", "threads": 1}), (as_grid(data), {}),
+                                 (in_blocks(data), {}), (sheet(), {"merge_coincident_points": False}),
+                                 (of_subclass(data), {})):
+            kept = Surface(surface, **options)
+            for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
+                twins = [pickle.loads(pickle.dumps(kept, protocol))]
+                kept.distance(0)
+                twins += [pickle.loads(pickle.dumps(kept, protocol)), copy.deepcopy(kept)]
+            for twin in twins:
+                for name, arguments, more in CALLS:
+                    expected = getattr(kept, name)(*arguments, **more)
+                    self.assertTrue(same(getattr(twin, name)(*arguments, **more), expected), name)
+
+    def test_have_the_data_of_their_time(self):
+        data = as_poly_data(sheet())
+        kept = Surface(data)
+        before, twin = kept.distance(0), pickle.loads(pickle.dumps(kept))
+        for i in range(data.GetNumberOfPoints()):
+            data.GetPoints().SetPoint(i, 2 * np.array(data.GetPoint(i)))
+        data.Modified()
+        np.testing.assert_array_equal(twin.distance(0), before)
+        np.testing.assert_array_equal(kept.distance(0), 2 * before)
+
+
 class Results(unittest.TestCase):
     def test_have_one_value_a_line_also_where_the_source_has_points(self):
         square = [(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0)], [(0, 1, 2), (0, 2, 3)]
@@ -375,6 +534,23 @@ class Results(unittest.TestCase):
                     far = matrix(square, source, places).min(axis=1)
                     np.testing.assert_allclose(far, value, atol=1e-3 if value else EXACT)
         self.assertEqual(contour(square, 0, [0, 1, 2, 3])["GeodesicDistance"].tolist(), [1, 2, 3])
+
+    def test_never_lie_before_the_beginning_of_a_curve_or_behind_its_end(self):
+        """Not by a rounding: on turned sheets the feet at an end of the curve did."""
+        points, faces = sheet(4)
+        for seed in range(150):
+            random = np.random.default_rng(seed)
+            turn, across = np.linalg.qr(random.normal(size=(3, 2)))[0].T
+            turned = random.choice([1, 0.001, 37.1]) * (points[:, :1] * turn + points[:, 1:2] * across)
+            kept = Surface((turned, faces))
+            line = turned[random.choice(len(points), (3, 1 + seed % 2))].mean(axis=1)
+            along = kept.field(curve(line), generate_source_arc_length=True)["SourceArcLength"]
+            (filter,) = kept._filters.values()
+            of_line = vtk_to_numpy(filter.GetOutputDataObject(1).GetPointData().GetArray("SourceArcLength"))
+            with self.subTest(seed=seed):
+                self.assertGreaterEqual(along.min(), 0)
+                if not np.allclose(line[0], line[-1]):  # else the end is the beginning, and has 0
+                    self.assertLessEqual(along.max(), of_line.max())
 
     def test_of_a_field_are_a_surface_again(self):
         refined = field(octahedron(), 0, refine_mesh=True)

@@ -117,6 +117,31 @@ class Matrix(unittest.TestCase):
         actual = np.array([table[f"Source{i}"] for i in range(5)])
         np.testing.assert_allclose(actual, expected, atol=FLOAT)
 
+    def test_arrays_name_columns_and_rows(self):
+        def named(names):
+            source = simple.ProgrammableSource(Script=f"""
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+points, names = vtkPoints(), vtkStringArray()
+names.SetName("electrode")
+for i, name in enumerate({names}):
+    points.InsertNextPoint(0.5 + i, 1, 0)
+    names.InsertNextValue(name)
+self.GetPolyDataOutput().SetPoints(points)
+self.GetPolyDataOutput().GetPointData().AddArray(names)""")
+            source.OutputDataSetType = "vtkPolyData"
+            return source
+
+        matrix = simple.GeodesicDistanceMatrix(
+            Input=plane(), Source=named(["Cz", "left ear", "Cz"]), Targets=named(["Pz", "Oz"]),
+            SourceNameArrayName="electrode", TargetNameArrayName="electrode")
+        table = data(matrix)
+        self.assertEqual([table.GetColumnName(i) for i in range(table.GetNumberOfColumns())],
+                         ["TargetId", "TargetName", "Cz", "left ear", "Cz_2"])
+        self.assertEqual([table.GetColumn(1).GetValue(i) for i in range(2)], ["Pz", "Oz"])
+        np.testing.assert_allclose(vtk_to_numpy(table.GetColumn(4)), [2, 1], atol=FLOAT)
+        matrix.SourceNameArrayName = matrix.TargetNameArrayName = "None"
+        self.assertEqual(list(columns(data(matrix))), ["TargetId", "Source0", "Source1", "Source2"])
+
     def test_beyond_the_maximum_distance_it_is_infinite(self):
         matrix = simple.GeodesicDistanceMatrix(
             Input=plane(), Source=polyline(CURVE), Targets=polyline(TARGETS), MaximumDistance=1)

@@ -15,6 +15,10 @@ namespace geodesic
 /// are solved side by side on one mesh structure, each in one thread; a solve stops when its
 /// targets are settled. The distances are those of the source's field, to the last bit.
 ///
+/// If all sources are sets of points, targets are fewer than sources, and fronts from the targets
+/// have less work by an estimate, each target is solved instead until the sources are settled: the
+/// same distances up to rounding, with the bits of the target's field.
+///
 /// \param curves of all sources. Curves with the same SourceCurve::source, below numberOfSources,
 ///        are one source.
 /// \param maximumDistance larger distances count as infinite, in the surface's units.

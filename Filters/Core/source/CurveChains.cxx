@@ -146,8 +146,11 @@ double CurveChains::arcLength(Id curve, double parameter) const
 {
   const CurveInChain& curveInChain = this->inChain_[curve];
   const std::vector<double>& parameters = this->parameters_[curveInChain.chain];
-  return curveInChain.isReversed ? parameters[curveInChain.end] - parameter
-                                 : parameter - parameters[curveInChain.begin];
+  const double begin = parameters[curveInChain.begin];
+  const double end = parameters[curveInChain.end];
+  // A path that ends at an end of the curve may have a parameter beyond it by rounding.
+  const double within = std::clamp(parameter, begin, end);
+  return curveInChain.isReversed ? end - within : within - begin;
 }
 
 double CurveChains::angleFrom(Id curve, double angle) const

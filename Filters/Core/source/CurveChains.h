@@ -43,7 +43,8 @@ public:
   };
   Point pointWith(Id number) const;
   const CurveInChain& inChain(Id curve) const { return this->inChain_[curve]; }
-  /// The length along a curve, from its first point to a parameter of its chain.
+  /// The length along a curve, from its first point to a parameter of its chain: from 0 to the
+  /// curve's length, also if the parameter lies beside the curve.
   double arcLength(Id curve, double parameter) const;
   /// An angle from the direction of a curve's chain, in radians, as one from the curve's direction.
   double angleFrom(Id curve, double angle) const;

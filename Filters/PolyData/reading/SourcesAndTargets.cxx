@@ -249,21 +249,31 @@ std::vector<vtkIdType> namesOfParts(
   return names;
 }
 
-/// Makes sources of the cells and points that were read: those with one name are one.
+/// Makes sources of the cells and points that were read: those with one id are one.
 ///
-/// \param names of cells and points; if empty, their numbers.
-void makeSources(const std::vector<vtkIdType>& names, SourcePolylines& sources)
+/// \param names the ids of cells and points; if empty, their numbers.
+/// \param called what these are called; empty: nothing.
+void makeSources(const std::vector<vtkIdType>& names, const std::vector<std::string>& called,
+  SourcePolylines& sources)
 {
   const auto nameOf = [&names](vtkIdType number)
   { return names.empty() ? number : names[static_cast<std::size_t>(number)]; };
   std::vector<vtkIdType>& ids = sources.ids;
+  const std::vector<vtkIdType> numbers = ids;
   std::transform(ids.begin(), ids.end(), ids.begin(), nameOf);
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  const auto placeOf = [&](vtkIdType number)
+  { return std::lower_bound(ids.begin(), ids.end(), nameOf(number)) - ids.begin(); };
   for (LocatedPolyline& line : sources.polylines)
   {
-    const auto at = std::lower_bound(ids.begin(), ids.end(), nameOf(line.source));
-    line.source = static_cast<Id>(at - ids.begin());
+    line.source = static_cast<Id>(placeOf(line.source));
+  }
+  sources.names.resize(called.empty() ? 0 : ids.size());
+  for (auto number = numbers.rbegin(); !called.empty() && number != numbers.rend(); ++number)
+  {
+    sources.names[static_cast<std::size_t>(placeOf(*number))] =
+      called[static_cast<std::size_t>(*number)];
   }
   sources.idEnd = names.empty() ? sources.idEnd : ids.back() + 1;
 }
@@ -440,7 +450,12 @@ SourcePolylines readSource(
   {
     joinLines(names, result);
   }
-  makeSources(names, result);
+  std::vector<std::string> called;
+  for (const PolyDataBlock& block : source)
+  {
+    called.insert(called.end(), block.partNames.begin(), block.partNames.end());
+  }
+  makeSources(names, called, result);
   return result;
 }
 

@@ -26,6 +26,8 @@ struct SourcePolylines
   /// a vtkPolyData without points is a source, and has no polyline; a point that no vertex cell of
   /// a set of points has is none.
   std::vector<vtkIdType> ids;
+  /// What each of these is called: as the first of its parts. Empty unless arrays say so.
+  std::vector<std::string> names;
   /// All of these are below.
   vtkIdType idEnd = 0;
   /// Cells that are neither lines nor vertices and were left out.

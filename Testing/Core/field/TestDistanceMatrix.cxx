@@ -62,6 +62,22 @@ struct MatrixCase
   std::vector<geodesic::SourceCurve> curves;
 };
 
+/// How many solves there are, each of which is a long task.
+struct SolveCount
+{
+  std::size_t solves = 0;
+
+  Job job()
+  {
+    return Job({},
+      [this](std::size_t count, const std::function<void(std::size_t)>& task)
+      {
+        this->solves = count;
+        onThreads(count, task);
+      });
+  }
+};
+
 double largestFinite(const std::vector<std::vector<double>>& matrix)
 {
   double largest = 0.0;
@@ -167,6 +183,34 @@ TEST_P(DistanceMatrices, AreInfiniteBeyondTheMaximumAndTheSameWithin)
   EXPECT_GT(beyond, 0U);
 }
 
+TEST_P(DistanceMatrices, AreSolvedFromFewTargetsWithTheBitsOfTheirFields)
+{
+  std::size_t reversed = 0;
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(10); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const MatrixCase c(GetParam(), seed + 94000);
+    const std::vector<SurfacePoint> few(c.targets.begin(), c.targets.begin() + 2);
+    SolveCount count;
+    const std::vector<std::vector<double>> matrix =
+      geodesic::distanceMatrix(c.mesh, c.curves, Points, few, geodesic::Infinity, count.job());
+    const std::vector<std::vector<double>> square = c.matrix();
+    const double largest = largestFinite(square);
+    for (std::size_t i = 0; i < Points; ++i)
+    {
+      for (std::size_t j = 0; j < few.size(); ++j)
+      {
+        EXPECT_TRUE(matrix[i][j] == square[i][j] ||
+          std::abs(matrix[i][j] - square[i][j]) <= accuracyOn(GetParam()) * largest)
+          << i << ", " << j;
+        EXPECT_EQ(matrix[i][j], count.solves == few.size() ? square[j][i] : square[i][j]);
+      }
+    }
+    reversed += count.solves == few.size() ? 1 : 0;
+  }
+  EXPECT_GT(reversed, 0U);
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, DistanceMatrices, ::testing::ValuesIn(meshKinds()),
   [](const auto& instance) { return std::string(instance.param.name); });
 
@@ -188,4 +232,125 @@ TEST(DistanceMatrix, TakesCurvesWithOneNumberForOneSourceAndNumbersWithoutCurves
   EXPECT_EQ(matrix[1], std::vector<double>(2, geodesic::Infinity));
   EXPECT_EQ(matrix[2].front(), 3.0);
   EXPECT_NEAR(matrix[2].back(), 1.0, 1e-15);
+}
+
+namespace
+{
+
+/// A strip of squares along x, as a path on which all distances between points of y = 0 are known.
+struct Strip
+{
+  explicit Strip(std::size_t length)
+  {
+    for (std::size_t x = 0; x <= length; ++x)
+    {
+      plain.points.push_back({ static_cast<double>(x), 0, 0 });
+      plain.points.push_back({ static_cast<double>(x), 1, 0 });
+    }
+    for (Index x = 0; x < 2 * length; x += 2)
+    {
+      plain.triangles.push_back({ x, x + 2, x + 3 });
+      plain.triangles.push_back({ x, x + 3, x + 1 });
+    }
+    mesh = engineMesh(plain);
+  }
+
+  static SurfacePoint at(std::size_t x) { return SurfacePoint::atVertex(static_cast<Id>(2 * x)); }
+
+  static geodesic::SourceCurve sourceAt(std::size_t x, std::size_t source)
+  {
+    geodesic::SourceCurve curve = geodesic::pointCurve(at(x));
+    curve.source = static_cast<Id>(source);
+    return curve;
+  }
+
+  /// Checks the distances from the places of sources, the nearest of each, to the targets.
+  ///
+  /// \returns how many solves there were.
+  std::size_t solve(const std::vector<std::vector<std::size_t>>& sources,
+    const std::vector<std::size_t>& targets, double maximum = geodesic::Infinity) const
+  {
+    std::vector<geodesic::SourceCurve> curves;
+    for (std::size_t i = 0; i < sources.size(); ++i)
+    {
+      for (const std::size_t x : sources[i])
+      {
+        curves.push_back(sourceAt(x, i));
+      }
+    }
+    std::vector<SurfacePoint> places;
+    for (const std::size_t x : targets)
+    {
+      places.push_back(at(x));
+    }
+    SolveCount count;
+    const auto matrix = geodesic::distanceMatrix(
+      mesh, curves, static_cast<Id>(sources.size()), places, maximum, count.job());
+    for (std::size_t i = 0; i < sources.size(); ++i)
+    {
+      for (std::size_t j = 0; j < targets.size(); ++j)
+      {
+        double expected = geodesic::Infinity;
+        for (const std::size_t x : sources[i])
+        {
+          expected =
+            std::min(expected, std::abs(static_cast<double>(x) - static_cast<double>(targets[j])));
+        }
+        expected = expected <= maximum ? expected : geodesic::Infinity;
+        EXPECT_TRUE(matrix[i][j] == expected ||
+          std::abs(matrix[i][j] - expected) <= OrdinaryAccuracy * expected)
+          << i << ", " << j << ": " << matrix[i][j] << " for " << expected;
+      }
+    }
+    return count.solves;
+  }
+
+  PlainMesh plain;
+  TriangleMesh mesh;
+};
+
+}
+
+TEST(DistanceMatrix, IsSolvedFromTheSideOfFewer)
+{
+  const Strip strip(40);
+  EXPECT_EQ(strip.solve({ { 0 }, { 10 }, { 20 }, { 30 }, { 40 } }, { 3, 25 }), 2U);
+  EXPECT_EQ(strip.solve({ { 3 }, { 25 } }, { 0, 10, 20, 30, 40 }), 2U);
+  EXPECT_EQ(strip.solve({ { 3 }, { 25 } }, { 0, 40 }), 2U);
+  // Sources of several points, and one of none.
+  EXPECT_EQ(strip.solve({ { 0, 1 }, { 10, 12 }, {}, { 39 }, { 30, 31 } }, { 3, 25 }), 2U);
+  EXPECT_EQ(strip.solve({ { 0, 40 }, {}, {}, {}, { 30, 1 } }, { 3, 25, 12 }), 5U)
+    << "sources without points are no solves";
+  EXPECT_EQ(strip.solve({ { 0 }, { 10 }, { 20 }, { 30 }, { 40 } }, { 3, 25 }, 7.0), 2U);
+}
+
+TEST(DistanceMatrix, IsSolvedFromSourcesIfTargetsWouldHaveToGoFarther)
+{
+  const Strip strip(400);
+  // Three targets would each go out to the far source, which alone goes as far.
+  EXPECT_EQ(strip.solve({ { 0 }, { 1 }, { 2 }, { 3 }, { 400 } }, { 0, 2, 4 }), 5U);
+  EXPECT_EQ(strip.solve({ { 0 }, { 1 }, { 2 }, { 3 }, { 400 } }, { 0, 2, 4 }, 4.0), 3U);
+}
+
+TEST(DistanceMatrix, IsSolvedFromCurves)
+{
+  const Strip strip(10);
+  std::vector<geodesic::SourceCurve> curves;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    curves.push_back(Strip::sourceAt(2 * i, i));
+  }
+  const auto solves = [&]()
+  {
+    SolveCount count;
+    const auto matrix = geodesic::distanceMatrix(
+      strip.mesh, curves, 4, { Strip::at(10), Strip::at(9) }, geodesic::Infinity, count.job());
+    EXPECT_NEAR(matrix[3].front(), 4.0, 1e-12);
+    return count.solves;
+  };
+  EXPECT_EQ(solves(), 2U);
+  curves[3].points.insert(curves[3].points.begin(), Strip::at(5));
+  curves[3].faces = { geodesic::commonFace(strip.mesh, Strip::at(5), Strip::at(6)) };
+  curves[3].isCut = { 0, 0 };
+  EXPECT_EQ(solves(), 4U);
 }

@@ -63,6 +63,22 @@ TEST(CurveChains, ACurveThatRunsAgainstTheChainKeepsWhereItIsCutAndWhereItBends)
 }
 
 // Windows on both sides of such a segment are told apart by their parameters.
+// The parameter of a path's end is computed from the path, with roundings.
+TEST(CurveChains, LengthsAlongACurveAreFromZeroToItsLength)
+{
+  const TriangleMesh mesh = engineMesh(regularGrid(4, 1));
+  const SourceCurve first = throughRow(mesh, { 0.0, 0.5, 1.0 });
+  const SourceCurve second = throughRow(mesh, { 3.0, 2.5, 2.0, 1.5, 1.0 });
+  const CurveChains chains(mesh, { first, second });
+  ASSERT_EQ(chains.curves().size(), 1U);
+  EXPECT_EQ(chains.arcLength(0, 0.25), 0.25);
+  EXPECT_EQ(chains.arcLength(1, 2.75), 0.25);
+  EXPECT_EQ(chains.arcLength(0, -8.7e-19), 0.0);
+  EXPECT_EQ(chains.arcLength(0, 1.0 + 1e-15), 1.0);
+  EXPECT_EQ(chains.arcLength(1, 1.0 - 1e-15), 2.0);
+  EXPECT_EQ(chains.arcLength(1, 3.0 + 1e-15), 0.0);
+}
+
 TEST(CurveChains, PlacesIncreaseAcrossASegmentWithoutLength)
 {
   const TriangleMesh mesh =
