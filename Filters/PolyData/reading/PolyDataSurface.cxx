@@ -31,26 +31,26 @@ std::vector<GlobalVertex> PolyDataSurface::remoteVertices() const
 MeshPartition PolyDataSurface::partitionWithBarriers(
   std::vector<Id>& globalIds, const Job& job) const
 {
-  std::vector<Triangle> triangles;
+  std::vector<Triangle> faces;
   for (Id i = 0; i < this->numberOfParts; ++i)
   {
     if (!this->isCopy(i))
     {
-      triangles.push_back(this->verticesAt(i));
+      faces.push_back(this->verticesAt(i));
     }
   }
   const std::vector<GlobalVertex> remote = this->remoteVertices();
   const Id inMesh = this->mesh().numberOfVertices();
   std::vector<Vec3> points;
   globalIds.clear();
-  for (const Id i : numberUsedVertices(triangles, inMesh + remote.size()))
+  for (const Id i : numberUsedVertices(faces, inMesh + remote.size()))
   {
     const GlobalVertex vertex = i < inMesh ? this->vertexOfMesh(i) : remote[i - inMesh];
     points.push_back(vertex.position);
     globalIds.push_back(vertex.globalId);
   }
   const std::vector<std::uint64_t> keys(globalIds.begin(), globalIds.end());
-  return { std::move(points), std::move(triangles), keys, this->exchange(), job };
+  return { std::move(points), std::move(faces), keys, this->exchange(), job };
 }
 
 void PolyDataSurface::useCellsOf(const std::vector<PolyDataBlock>& inputs)

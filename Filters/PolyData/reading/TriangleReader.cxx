@@ -200,9 +200,9 @@ struct TriangleBlockReader
       this->leaveOut();
       return;
     }
-    this->add(points);
+    this->appendTriangle(points);
   }
-  void add(const Triangle& points)
+  void appendTriangle(const Triangle& points)
   {
     this->triangles.corners.push_back(points);
     this->triangles.cells.push_back(this->inputCell());
@@ -226,7 +226,7 @@ struct TriangleBlockReader
         this->pointsOf(this->outline[t[0]], this->outline[t[1]], this->outline[t[2]]);
       if (hasThreeVertices(this->vertexOf(points)))
       {
-        this->add(points);
+        this->appendTriangle(points);
       }
     }
     if (this->triangles.corners.size() == before)
