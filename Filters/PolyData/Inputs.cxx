@@ -163,9 +163,11 @@ struct InputReader
     const PolyDataSurface& surface = this->cache.surface();
     SourcePolylines source = readSource(blocks, surface, this->request.areLinesJoined);
     const double precision = coordinatePrecisionOf(blocks);
-    const LocatedPlaces located =
-      this->cache.locator().locate(source.polylines, precision, locating);
+    LocatedPlaces located =
+      this->cache.locator().locate(source.polylines, precision, locating.part(0.0, 0.9));
     requireOutsideBarriers(surface, surfaceBlocks, source.polylines, located, precision);
+    this->cache.locator().keepOnOneSide(
+      source.polylines, precision, located, locating.part(0.9, 1.0));
     faces.addFacesAround(located);
     ReplicatedPatch patch = faces.make();
     located.setFaces(patch, source.polylines);
