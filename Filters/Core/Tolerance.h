@@ -99,6 +99,12 @@ constexpr double OtherSide = 0.5;
 /// is 1.6 times.
 constexpr double Detour = 3.0;
 
+/// Segments of curves in one face lie on each other if they are nearer than this fraction of its
+/// longest edge. Shortest paths there and back are traced separately and differ by a tie, which
+/// moves places along edges by up to its root, but mostly by some roundings. Curves that are meant
+/// to lie beside each other are farther apart.
+constexpr double OnEachOther = 1e-9;
+
 /// Points on the boundary of a surface, or of its pieces, are one if they are nearer than this many
 /// roundings of the largest coordinate around: each has been computed or stored separately for the
 /// same place, with a few roundings.

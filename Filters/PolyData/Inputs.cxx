@@ -191,6 +191,10 @@ struct InputReader
       mesh, source.polylines, precision, paths.reusedBy(join), joining.part(patchMade, 1.0));
     paths.endUse();
     noteSource(surface, mesh, source, curves, this->plan.noteSourceBeyond, this->notes);
+    if (this->plan.needsSides)
+    {
+      noteSides(mesh, source, curves, this->notes);
+    }
     const bool areNamed = std::any_of(blocks.begin(), blocks.end(),
       [](const PolyDataBlock& block) { return !block.sourceIds.empty(); });
     const auto count = static_cast<Id>(source.ids.size());

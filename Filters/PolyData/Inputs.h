@@ -74,6 +74,8 @@ struct ExecutionPlan
   bool supportsPieces = true;
   /// A note tells that the source is farther from the surface than this fraction of its diagonal.
   double noteSourceBeyond = FarFraction;
+  /// Whether the sides of curves are asked for: a note tells where they are ambiguous.
+  bool needsSides = false;
 
   /// With those of reading the inputs.
   std::vector<Stage> allStages() const;

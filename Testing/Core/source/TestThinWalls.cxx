@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <mutex>
@@ -197,6 +198,37 @@ TEST(ThinWalls, APlaceOfSeveralPointsHasOneSide)
       EXPECT_EQ(sides, std::string(sides.size(), 't')) << seed;
     }
   }
+}
+
+// Noise larger than the wall's thickness is not recognised, but told.
+TEST(ThinWalls, ADetourIsTold)
+{
+  const TriangleMesh mesh = engineMesh(plate());
+  LocatedPolyline line;
+  line.points = { { 40.0, 50.5, 0.2 }, { 45.0, 50.5, 0.2 }, { 45.0, 50.5, 0.2 },
+    { 50.0, 50.5, 0.0 }, { 55.0, 50.5, 0.0 }, { 60.0, 50.5, 0.2 } };
+  SourceCurves result = put(mesh, { LocatedPolyline(line), line });
+  ASSERT_EQ(result.detours.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(result.detours[i].polyline, i / 2);
+    EXPECT_EQ(result.detours[i].segment, i % 2 == 0 ? 2U : 4U);
+  }
+  // From (45, 50.5) to (50, 50.5) around the nearest edge, x = 0, y = 100 or x = 100, and back.
+  const double way = std::min(
+    { 45.0 + 50.0 + Thickness, std::hypot(2.0 * 49.5 + Thickness, 5.0), 55.0 + 50.0 + Thickness });
+  // From (55, 50.5) to (60, 50.5).
+  const double wayBack = 45.0 + 40.0 + Thickness;
+  EXPECT_NEAR(result.largestDetour, std::max(way, wayBack) / std::hypot(5.0, Thickness), 1e-9);
+  // A way around the edge that is not much longer.
+  line.points = { { 98.0, 50.5, 0.2 }, { 100.0, 50.5, 0.1 }, { 98.0, 50.5, 0.0 } };
+  EXPECT_TRUE(put(mesh, { line }).detours.empty());
+  // Far points of a curve on a ball: at most half around.
+  const TriangleMesh ball = engineMesh(geodesictest::octasphere(8));
+  line.points = { { 1.0, 0.0, 0.0 }, { -1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } };
+  result = put(ball, { line });
+  EXPECT_TRUE(result.detours.empty());
+  EXPECT_EQ(result.largestDetour, 0.0);
 }
 
 // The thickness of a ball is no thin wall: a line through it changes sides where it passes the
