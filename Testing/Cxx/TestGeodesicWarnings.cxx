@@ -6,6 +6,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkGeodesicDistanceMatrix.h"
 #include "vtkGeodesicPaths.h"
+#include "vtkIdList.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkTrivialProducer.h"
 
@@ -367,9 +368,10 @@ vtkSmartPointer<vtkPolyData> Plate(int n, double thickness)
   }
   for (vtkIdType i = 0; i < faces; ++i)
   {
-    const auto corners = PointIds(plate, i);
+    vtkNew<vtkIdList> corners;
+    plate->GetCellPoints(i, corners);
     plate->GetPolys()->InsertNextCell(
-      { corners[2] + count, corners[1] + count, corners[0] + count });
+      { corners->GetId(2) + count, corners->GetId(1) + count, corners->GetId(0) + count });
   }
   const auto addWall = [&](vtkIdType a, vtkIdType b) {
     plate->GetPolys()->InsertNextCell({ b, a, a + count, b + count });
