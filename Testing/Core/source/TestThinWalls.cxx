@@ -108,6 +108,41 @@ TEST(ThinWalls, ANoisyLineInAGapStaysOnItsSide)
   }
 }
 
+// A bent wall, and segments much longer than it is thick: a hollow ball, whose inner side no path
+// joins to the outer one.
+TEST(ThinWalls, ANoisyCircleStaysOnItsSideOfAShell)
+{
+  const PlainMesh outer = geodesictest::octasphere(24);
+  const double thickness = 0.05;
+  PlainMesh inner = outer;
+  for (geodesictest::Vec3& p : inner.points)
+  {
+    p = (1.0 - thickness) * p;
+  }
+  const TriangleMesh mesh = engineMesh(geodesictest::merged(outer, inner));
+  for (std::uint64_t seed = 0; seed < 20; ++seed)
+  {
+    Random random(seed);
+    const bool isOutside = seed % 2 == 0;
+    LocatedPolyline circle;
+    circle.closed = true;
+    const int count = seed % 3 == 0 ? 12 : 200; // segments of half a radius, or shorter ones
+    for (int i = 0; i < count; ++i)
+    {
+      const double angle = 6.283185307 * i / count;
+      const double r = (isOutside ? 0.999 : 0.949) + 0.6 * thickness * random.uniform(-1.0, 1.0);
+      circle.points.push_back(
+        { r * std::cos(angle), 0.8 * r * std::sin(angle), 0.6 * r * std::sin(angle) });
+    }
+    const SourceCurves result = put(mesh, { circle });
+    ASSERT_EQ(result.curves.size(), 1U);
+    for (const SurfacePoint& p : result.curves[0].points)
+    {
+      EXPECT_EQ(norm(position(mesh, p)) > 1.0 - 0.5 * thickness, isOutside) << seed;
+    }
+  }
+}
+
 /// Over the top, around the rim at x = 100, and back along the bottom.
 LocatedPolyline aroundTheRim(double amplitude, bool hasRim, Random& random)
 {
