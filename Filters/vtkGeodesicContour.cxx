@@ -161,6 +161,7 @@ ExecutionPlan vtkGeodesicContour::Plan() const
   if (this->SignedDistances)
   {
     plan.stages.insert(plan.stages.end() - 1, Stage::FindSides);
+    plan.needsSides = true;
   }
   return plan;
 }

@@ -561,6 +561,7 @@ ExecutionPlan vtkGeodesicDistanceField::Plan() const
 {
   const SourceArrayChoice choice = vtkWorker::ChoiceOf(this);
   ExecutionPlan plan;
+  plan.needsSides = choice.areSidesNeeded();
   const auto add = [&plan](Stage stage, bool isThere)
   { plan.stages.insert(plan.stages.end(), isThere ? 1 : 0, stage); };
   add(Stage::FindBorders, this->RefineMesh && vtkWorker::AreBordersRefined(this));

@@ -79,6 +79,32 @@ constexpr double SnapRoundings = 4.0;
 /// collapse there.
 constexpr double SnapFraction = 0.1;
 
+/// A curve's point between two walls may go to the farther one if that is no more than this many
+/// times as far as the nearer one: so it lies in the middle half of the gap, and noise of the curve
+/// up to three quarters of a wall's thickness is recognised. A point that is meant for the nearer
+/// wall is much nearer to it.
+constexpr double AboutAsNear = 3.0;
+
+/// Two faces are about parallel, whichever way they are oriented, if the cosine between their normals
+/// is at least this; and two directions are about opposite if it is at most minus this. That is
+/// halfway to a right angle, where an edge's two sides begin to be no walls of one another.
+constexpr double AboutParallel = 0.5;
+
+/// Two places are on different sides of a wall if one lies off the other's side by more than this
+/// fraction of the wall's thickness: places on one side do by little, on both by all of it.
+constexpr double OtherSide = 0.5;
+
+/// A segment put onto the surface that is longer than this many times the straight distance between
+/// its ends is a detour, which a curve on one side of a body hardly makes: half around a sphere it
+/// is 1.6 times.
+constexpr double Detour = 3.0;
+
+/// Segments of curves in one face lie on each other if they are nearer than this fraction of its
+/// longest edge. Shortest paths there and back are traced separately and differ by a tie, which
+/// moves places along edges by up to its root, but mostly by some roundings. Curves that are meant
+/// to lie beside each other are farther apart.
+constexpr double OnEachOther = 1e-9;
+
 /// Points on the boundary of a surface, or of its pieces, are one if they are nearer than this many
 /// roundings of the largest coordinate around: each has been computed or stored separately for the
 /// same place, with a few roundings.

@@ -173,9 +173,11 @@ struct InputReader
     const PolyDataSurface& surface = this->cache.surface();
     SourcePolylines source = readSource(blocks, surface, this->request.areLinesJoined);
     const double precision = coordinatePrecisionOf(blocks);
-    const LocatedPlaces located =
-      this->cache.locator().locate(source.polylines, precision, locating);
+    LocatedPlaces located =
+      this->cache.locator().locate(source.polylines, precision, locating.part(0.0, 0.9));
     requireOutsideBarriers(surface, surfaceBlocks, source.polylines, located, precision);
+    this->cache.locator().keepOnOneSide(
+      source.polylines, precision, located, locating.part(0.9, 1.0));
     faces.addFacesAround(located);
     ReplicatedPatch patch = faces.make();
     located.setFaces(patch, source.polylines);
@@ -199,6 +201,10 @@ struct InputReader
       mesh, source.polylines, precision, paths.reusedBy(join), joining.part(patchMade, 1.0));
     paths.endUse();
     noteSource(surface, mesh, source, curves, this->plan.noteSourceBeyond, this->notes);
+    if (this->plan.needsSides)
+    {
+      noteSides(mesh, source, curves, this->notes);
+    }
     const bool areNamed = std::any_of(blocks.begin(), blocks.end(),
       [](const PolyDataBlock& block) { return !block.sourceIds.empty(); });
     const auto count = static_cast<Id>(source.ids.size());

@@ -78,6 +78,8 @@ struct ExecutionPlan
   /// Names of the arrays with the names of the source's parts and of the targets; see PartArrays.
   const char* sourceNameArray = nullptr;
   const char* targetNameArray = nullptr;
+  /// Whether the sides of curves are asked for: a note tells where they are ambiguous.
+  bool needsSides = false;
 
   /// With those of reading the inputs.
   std::vector<Stage> allStages() const;

@@ -4,12 +4,14 @@
 #include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/SourcesAndTargets.h"
 #include "mesh/SurfaceSnap.h"
+#include "source/OpposedCurves.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <sstream>
 
@@ -19,7 +21,7 @@ namespace geodesic
 namespace
 {
 
-// Enough to find the others by.
+// Points, or segments; enough to find the others by.
 constexpr std::size_t PointsNamed = 3;
 
 /// The points of an input that are farther from the surface than they should be.
@@ -60,6 +62,38 @@ FarPoints farPointsOf(
     }
   }
   return far;
+}
+
+/// "segment 3 of cell 0, segment 8 of cell 0 and 2 more".
+std::string namesOf(
+  const std::vector<LocatedPolyline>& polylines, const std::vector<SegmentOfPolyline>& segments)
+{
+  std::string text;
+  for (std::size_t i = 0; i < std::min(segments.size(), PointsNamed); ++i)
+  {
+    text +=
+      (i == 0 ? "" : ", ") + polylines[segments[i].polyline].nameOfSegment(segments[i].segment);
+  }
+  return segments.size() > PointsNamed
+    ? text + " and " + std::to_string(segments.size() - PointsNamed) + " more"
+    : text;
+}
+
+void noteDetours(const SourcePolylines& source, const SourceCurves& onSurface, Notes& notes)
+{
+  if (onSurface.detours.empty())
+  {
+    return;
+  }
+  const bool isOne = onSurface.detours.size() == 1;
+  std::ostringstream text;
+  text << onSurface.detours.size() << (isOne ? " segment" : " segments") << " of the source "
+       << (isOne ? "is" : "are") << " several times as long on the surface as straight (up to "
+       << std::setprecision(2) << onSurface.largestDetour
+       << " times): " << namesOf(source.polylines, onSurface.detours)
+       << ". If no detour is meant, the curve goes to another side of the surface there: move its "
+          "points closer to the side that it belongs to, or add points.";
+  notes.add(NoteOn::Source, "detours", text.str());
 }
 
 /// "point 3 of block 2 (wing)" of targets, by its number over all blocks.
@@ -169,6 +203,7 @@ void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
 {
   notes.add(NoteOn::Source, source.droppedCells, "cell", "cells",
     "of the source left out: neither lines nor vertices.");
+  noteDetours(source, onSurface, notes);
   if (!(onSurface.snapDistance > beyond * surface.diagonal))
   {
     return;
@@ -180,6 +215,32 @@ void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
     { NoteOn::Source, FarNote,
       farText("The source is", far, surface) +
         ". Does it belong to this surface? It was put onto the surface's closest points." });
+}
+
+void noteSides(const TriangleMesh& mesh, const SourcePolylines& source,
+  const SourceCurves& onSurface, Notes& notes)
+{
+  std::vector<SegmentOfPolyline> segments;
+  for (const SegmentOfCurve& at : opposedSegments(mesh, onSurface.curves))
+  {
+    const SegmentOfPolyline& given = onSurface.given[at.curve][at.segment];
+    if (segments.empty() || segments.back().polyline != given.polyline ||
+      segments.back().segment != given.segment)
+    {
+      segments.push_back(given);
+    }
+  }
+  if (segments.empty())
+  {
+    return;
+  }
+  const bool isOne = segments.size() == 1;
+  notes.add(NoteOn::Source, "opposed curves",
+    std::to_string(segments.size()) + (isOne ? " segment" : " segments") + " of the source " +
+      (isOne ? "runs" : "run") +
+      " over another in the opposite direction: " + namesOf(source.polylines, segments) +
+      ". Signs need one direction: what is left of one is right of the other, and rounding decides "
+      "the sign there. Leave one of them out.");
 }
 
 void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& blocks,

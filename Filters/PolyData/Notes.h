@@ -99,6 +99,11 @@ void noteSurface(
 void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
   const SourcePolylines& source, const SourceCurves& onSurface, double beyond, Notes& notes);
 
+/// What makes signs of distances ambiguous: curves, as put onto the surface, that run over
+/// themselves or each other in opposite directions.
+void noteSides(const TriangleMesh& mesh, const SourcePolylines& source,
+  const SourceCurves& onSurface, Notes& notes);
+
 /// What was noticed when targets were put onto the surface. All ranks call this together and note
 /// the same.
 ///

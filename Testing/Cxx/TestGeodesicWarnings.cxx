@@ -6,6 +6,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkGeodesicDistanceMatrix.h"
 #include "vtkGeodesicPaths.h"
+#include "vtkIdList.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkTrivialProducer.h"
 
@@ -352,6 +353,102 @@ void CheckUnusedPointsDoNotCount(Check& check)
       std::to_string(filter->GetInterpolationErrorBound()));
 }
 
+/// A plate of n x n squares with two sides, joined at its edges.
+vtkSmartPointer<vtkPolyData> Plate(int n, double thickness)
+{
+  auto plate = Square(n);
+  const vtkIdType count = plate->GetNumberOfPoints();
+  const vtkIdType faces = plate->GetNumberOfCells();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    Point p;
+    plate->GetPoint(i, p.data());
+    p[2] = thickness;
+    plate->GetPoints()->InsertNextPoint(p.data());
+  }
+  for (vtkIdType i = 0; i < faces; ++i)
+  {
+    vtkNew<vtkIdList> corners;
+    plate->GetCellPoints(i, corners);
+    plate->GetPolys()->InsertNextCell(
+      { corners->GetId(2) + count, corners->GetId(1) + count, corners->GetId(0) + count });
+  }
+  const auto addWall = [&](vtkIdType a, vtkIdType b) {
+    plate->GetPolys()->InsertNextCell({ b, a, a + count, b + count });
+  };
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    addWall(i, i + 1);
+    addWall((n + 1) * n + i + 1, (n + 1) * n + i);
+    addWall((n + 1) * (i + 1), (n + 1) * i);
+    addWall((n + 1) * i + n, (n + 1) * (i + 1) + n);
+  }
+  return plate;
+}
+
+/// A curve beside a plate stays on one side of it; a segment that does not is told.
+void CheckThinWalls(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Plate(16, 0.002));
+  filter->RefineMeshOff();
+  std::vector<Point> line;
+  for (int i = 0; i <= 40; ++i)
+  {
+    // The sixth and every eleventh one is closer to the lower side.
+    line.push_back({ 0.1 + 0.02 * i, 0.51, i % 11 == 5 ? 0.0008 : 0.002 + 0.0003 * (i % 5) });
+  }
+  filter->SetSourceData(Polyline(line));
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Warning().empty() && messages.Error().empty(),
+    "a curve beside a plate is not worth a word: " + messages.Warning() + messages.Error());
+  check.That(std::abs(filter->GetSourceLength() - 0.8) < 1e-12,
+    "the length beside a plate: " + std::to_string(filter->GetSourceLength()));
+  line[20][2] = -0.0001;
+  filter->SetSourceData(Polyline(line));
+  messages.Update();
+  check.That(Contains(messages.Warning(),
+               "2 segments of the source are several times as long on the surface as straight") &&
+      Contains(messages.Warning(), "segment 19 of cell 0, segment 20 of cell 0."),
+    "a detour: " + messages.Warning());
+}
+
+/// Curves that run over each other in opposite directions are told where signs are asked for.
+void CheckOpposedCurves(Check& check)
+{
+  const std::vector<Point> there = { { 0.1, 0.2, 0 }, { 0.4, 0.6, 0 }, { 0.9, 0.7, 0 } };
+  const auto closed = Polyline({ there[0], there[1], there[2], there[1] }, true);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(4));
+  filter->SetSourceData(closed);
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Warning().empty(), "no signs, no word: " + messages.Warning());
+  filter->GenerateSignedDistanceOn();
+  messages.Update();
+  check.That(Contains(messages.Warning(),
+               "2 segments of the source run over another in the opposite direction: segment 2 of "
+               "cell 0, segment 3 of cell 0. Signs need one direction"),
+    "there and back: " + messages.Warning());
+  filter->SetSourceData(Polyline(there, true));
+  messages.Update();
+  check.That(messages.Warning().empty(), "a plain closed curve: " + messages.Warning());
+
+  auto edges =
+    PointSources({ { 0.25, 0.5, 0 }, { 0.75, 0.5, 0 }, { 0.5, 0.5, 0 }, { 0.25, 0.5, 0 } });
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1 });
+  lines->InsertNextCell({ 2, 3 });
+  edges->SetLines(lines);
+  filter->SetSourceData(edges);
+  filter->JoinLinesOff();
+  messages.Update();
+  check.That(Contains(messages.Warning(), "1 segment of the source runs over another") &&
+      Contains(messages.Warning(), "segment 0 of cell 1."),
+    "two curves along an edge: " + messages.Warning());
+}
+
 void CheckHalfMeantSources(Check& check)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
@@ -408,6 +505,8 @@ int TestGeodesicWarnings(int, char*[])
   CheckExistingArray(check);
   CheckSilence(check);
   CheckHalfMeantSources(check);
+  CheckThinWalls(check);
+  CheckOpposedCurves(check);
   CheckWarningsAfterFailure(check);
   CheckUnusedPointsDoNotCount(check);
   CheckSurfaceAsItsOwnSource(check);

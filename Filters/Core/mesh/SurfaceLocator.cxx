@@ -6,6 +6,7 @@
 #include "mesh/SurfaceSnap.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -36,6 +37,41 @@ void addFace(const TriangleMesh& mesh, Id face, Box& box)
   {
     box.add(mesh.point(corner));
   }
+}
+
+/// The unit normal of a face; zero if it has none.
+Vec3 normalOf(const TriangleMesh& mesh, Id face)
+{
+  const auto& [a, b, c] = mesh.triangle(face);
+  const Vec3 normal = cross(mesh.point(b) - mesh.point(a), mesh.point(c) - mesh.point(a));
+  const double length = norm(normal);
+  return length > 0.0 ? (1.0 / length) * normal : Vec3{};
+}
+
+/// Whether a face may be of the wall opposite to a point's closest faces. The faces' orientations
+/// do not matter.
+bool isOpposite(
+  const TriangleMesh& mesh, Id face, const Vec3& toClosest, const std::vector<ClosestFace>& closest)
+{
+  const Vec3 normal = normalOf(mesh, face);
+  const double distance = norm(toClosest);
+  return std::all_of(closest.begin(), closest.end(),
+    [&](const ClosestFace& near)
+    {
+      return std::abs(dot(normal, near.normal)) >= tolerance::AboutParallel &&
+        dot(toClosest, near.toPlace) <= -tolerance::AboutParallel * distance * norm(near.toPlace);
+    });
+}
+
+/// How far the wall opposite to a point's closest faces may be; negative if there is none.
+double limitOfOpposite(const std::vector<ClosestFace>& closest)
+{
+  double limit = Infinity;
+  for (const ClosestFace& face : closest)
+  {
+    limit = std::min(limit, face.isBeside ? tolerance::AboutAsNear * norm(face.toPlace) : -1.0);
+  }
+  return closest.empty() ? -1.0 : limit;
 }
 
 /// Whether a face has all vertices of a part of another face.
@@ -123,12 +159,15 @@ std::vector<FaceCandidate> chosen(const std::vector<FaceCandidate>& closest)
 /// The faces of a point, in the order of ClosestFace.
 ///
 /// \param candidates of all ranks.
-std::vector<ClosestFace> facesOf(const std::vector<FaceCandidate>& candidates, double least)
+std::vector<ClosestFace> facesOf(
+  const std::vector<FaceCandidate>& candidates, double least, double coordinatePrecision)
 {
   std::vector<ClosestFace> faces;
   for (const FaceCandidate& face : chosen(candidates))
   {
-    faces.push_back({ face.face, face.distance <= least + face.rounding });
+    const double precision = face.rounding / tolerance::Rounding * coordinatePrecision;
+    faces.push_back({ face.face, face.distance <= least + face.rounding, face.distance > precision,
+      face.toPlace, face.normal });
   }
   std::sort(faces.begin(), faces.end());
   return faces;
@@ -145,6 +184,7 @@ void complete(
     (candidate.distance + mesh.shape(face).longest());
   candidate.toClosest = closest.offset;
   candidate.toPlace = snapToFace(mesh, face, point, coordinatePrecision).offset;
+  candidate.normal = normalOf(mesh, face);
   candidate.corners = mesh.triangle(face);
   for (std::size_t k = 0; k < 3; ++k)
   {
@@ -169,10 +209,14 @@ public:
   }
 
   /// The faces that may be among the closest, unordered.
-  std::vector<FaceCandidate> candidates(
-    const Vec3& point, double coordinatePrecision, const Job& job)
+  ///
+  /// \param limit the distance beyond which none is wanted.
+  /// \param oppositeTo the point's closest faces if only those opposite to them are wanted, or
+  /// null.
+  std::vector<FaceCandidate> candidates(const Vec3& point, double limit,
+    const std::vector<ClosestFace>* oppositeTo, double coordinatePrecision, const Job& job)
   {
-    Search search{ point, coordinatePrecision, job, Infinity, {}, 0.0 };
+    Search search{ point, oppositeTo, coordinatePrecision, job, limit, {}, 0.0 };
     this->search(search, 0);
     std::vector<FaceCandidate>& found = search.found;
     const auto isOver = [&](const FaceCandidate& f) { return !f.isClosest(search.distance); };
@@ -197,6 +241,7 @@ private:
   struct Search
   {
     const Vec3& point;
+    const std::vector<ClosestFace>* oppositeTo;
     const double coordinatePrecision;
     const Job& job;
     double distance;
@@ -288,7 +333,12 @@ private:
     {
       return; // measuring takes several times as long
     }
-    const double distance = norm(snapToFace(this->mesh_, face, search.point, 0.0).offset);
+    const Vec3 toClosest = snapToFace(this->mesh_, face, search.point, 0.0).offset;
+    if (search.oppositeTo && !isOpposite(this->mesh_, face, toClosest, *search.oppositeTo))
+    {
+      return;
+    }
+    const double distance = norm(toClosest);
     // Far from the origin roundings may be as large as faces; then the closest face counts.
     const double precision =
       std::min(byCoordinates, tolerance::SnapFraction * this->mesh_.shape(face).longest());
@@ -325,6 +375,20 @@ void SurfaceLocator::plantTree()
 ClosestFaces SurfaceLocator::closest(const std::vector<Vec3>& points,
   const std::vector<std::uint8_t>& isWanted, double coordinatePrecision, const Job& job)
 {
+  return this->find(points, isWanted, nullptr, coordinatePrecision, job);
+}
+
+ClosestFaces SurfaceLocator::opposite(const std::vector<Vec3>& points,
+  const std::vector<std::uint8_t>& isWanted, const ClosestFaces& closest,
+  double coordinatePrecision, const Job& job)
+{
+  return this->find(points, isWanted, &closest, coordinatePrecision, job);
+}
+
+ClosestFaces SurfaceLocator::find(const std::vector<Vec3>& points,
+  const std::vector<std::uint8_t>& isWanted, const ClosestFaces* oppositeTo,
+  double coordinatePrecision, const Job& job)
+{
   if (!this->tree_ && std::find(isWanted.begin(), isWanted.end(), 1) != isWanted.end())
   {
     this->plantTree();
@@ -337,9 +401,14 @@ ClosestFaces SurfaceLocator::closest(const std::vector<Vec3>& points,
   {
     const std::size_t first = result.size();
     const std::size_t last = std::min(first + PointsAtATime, points.size());
+    std::vector<double> limits(last - first, Infinity);
+    for (std::size_t i = first; i < last && oppositeTo; ++i)
+    {
+      limits[i - first] = isWanted[i] ? limitOfOpposite((*oppositeTo)[i]) : -1.0;
+    }
     const auto search = [&](std::size_t i) -> std::vector<FaceCandidate>
     {
-      if (!isWanted[first + i])
+      if (!isWanted[first + i] || limits[i] < 0.0)
       {
         return {};
       }
@@ -348,13 +417,14 @@ ClosestFaces SurfaceLocator::closest(const std::vector<Vec3>& points,
         searching.reach(static_cast<double>(searched) / static_cast<double>(points.size()));
       }
       ++searched;
-      return this->tree_->candidates(points[first + i], coordinatePrecision, growing);
+      return this->tree_->candidates(points[first + i], limits[i],
+        oppositeTo ? &(*oppositeTo)[first + i] : nullptr, coordinatePrecision, growing);
     };
     const FoundOnRanks found = searchOnRanks(this->surface_, this->box_,
-      { points.data() + first, points.data() + last }, coordinatePrecision, search);
+      { points.data() + first, points.data() + last }, limits, coordinatePrecision, search);
     for (std::size_t i = 0; i < found.least.size(); ++i)
     {
-      result.push_back(facesOf(found.candidates[i], found.least[i]));
+      result.push_back(facesOf(found.candidates[i], found.least[i], coordinatePrecision));
     }
   }
   return result;

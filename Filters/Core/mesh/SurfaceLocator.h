@@ -18,6 +18,12 @@ struct ClosestFace
   RankAddress face;
   /// Whether it is as close as the closest one up to rounding. These come first.
   bool isUpToRounding = true;
+  /// Whether the point is beside the face by more than the precision of coordinates.
+  bool isBeside = false;
+  /// From the point to its place on the face, and the face's unit normal; zero where a point was
+  /// not searched.
+  Vec3 toPlace{};
+  Vec3 normal{};
 
   bool operator<(const ClosestFace& other) const
   {
@@ -49,8 +55,20 @@ public:
   ClosestFaces closest(const std::vector<Vec3>& points, const std::vector<std::uint8_t>& isWanted,
     double coordinatePrecision, const Job& job = {});
 
+  /// For each point between two walls, beside the nearer one, the faces that put it onto the
+  /// closest place of the other wall: on faces that look the other way than its closest faces, in
+  /// the other direction, and about as near (tolerance::AboutAsNear). None for other points. As
+  /// closest() otherwise.
+  ///
+  /// \param closest the points' closest faces.
+  ClosestFaces opposite(const std::vector<Vec3>& points, const std::vector<std::uint8_t>& isWanted,
+    const ClosestFaces& closest, double coordinatePrecision, const Job& job = {});
+
 private:
   class FaceTree;
+
+  ClosestFaces find(const std::vector<Vec3>& points, const std::vector<std::uint8_t>& isWanted,
+    const ClosestFaces* oppositeTo, double coordinatePrecision, const Job& job);
 
   void plantTree();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/SurfaceLocatorOnRanks.h"
 
+#include <utility>
+
 namespace geodesic
 {
 
@@ -53,11 +55,12 @@ void shareCandidates(const MeshPartition& surface, FoundOnRanks& found)
 } // anonymous namespace
 
 FoundOnRanks searchOnRanks(const MeshPartition& surface, const Box& box, ArrayRange<Vec3> points,
-  double coordinatePrecision, const std::function<std::vector<FaceCandidate>(std::size_t)>& search)
+  std::vector<double> limits, double coordinatePrecision,
+  const std::function<std::vector<FaceCandidate>(std::size_t)>& search)
 {
   FoundOnRanks found;
   found.candidates.resize(points.size());
-  found.least.assign(points.size(), Infinity);
+  found.least = std::move(limits);
   const auto isSearched = [&](std::size_t i, bool isInBox)
   {
     const Vec3& point = points.begin()[i];

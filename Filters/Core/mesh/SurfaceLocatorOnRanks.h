@@ -28,6 +28,8 @@ struct FaceCandidate
   /// From the point to the face's closest point, and to where snapToFace puts it.
   Vec3 toClosest{};
   Vec3 toPlace{};
+  /// The face's unit normal; zero if it has none.
+  Vec3 normal{};
   /// The vertices of the face, and of its smallest part (vertex, edge or the face) that contains
   /// the closest point, filled with NoId.
   Triangle corners{};
@@ -57,9 +59,11 @@ inline double precisionFor(const Box& box, const Vec3& point, double coordinateP
 ///
 /// \param box around the faces that this rank owns.
 /// \param points the same on all ranks.
+/// \param limits for each point the distance beyond which no face is wanted.
 /// \param search (point) -> candidates of this rank.
 FoundOnRanks searchOnRanks(const MeshPartition& surface, const Box& box, ArrayRange<Vec3> points,
-  double coordinatePrecision, const std::function<std::vector<FaceCandidate>(std::size_t)>& search);
+  std::vector<double> limits, double coordinatePrecision,
+  const std::function<std::vector<FaceCandidate>(std::size_t)>& search);
 
 }
 

@@ -2,8 +2,10 @@
 #include "source/PolylineLocator.h"
 
 #include "mesh/Box.h"
+#include "source/SideChoice.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geodesic
 {
@@ -163,6 +165,47 @@ LocatedPlaces PolylineLocator::locate(
     }
   }
   return located;
+}
+
+void PolylineLocator::keepOnOneSide(const std::vector<LocatedPolyline>& polylines,
+  double coordinatePrecision, LocatedPlaces& located, const Job& job)
+{
+  std::vector<RowOfPlaces> rows;
+  std::vector<std::uint8_t> isWanted(located.places.size(), 0);
+  for (const LocatedPolyline& polyline : polylines)
+  {
+    RowOfPlaces row = { {}, polyline.closed };
+    bool isBeside = false;
+    for (const Vec3& p : polyline.points)
+    {
+      row.places.push_back(located.indexOf(p));
+      const std::vector<ClosestFace>& faces = located.faces[row.places.back()];
+      isBeside = isBeside || (!faces.empty() && faces.front().isBeside);
+    }
+    if (isBeside && row.places.size() > 1)
+    {
+      for (const std::size_t place : row.places)
+      {
+        isWanted[place] = 1;
+      }
+      rows.push_back(std::move(row));
+    }
+  }
+  if (rows.empty())
+  {
+    return;
+  }
+  ClosestFaces opposite =
+    this->locator_.opposite(located.places, isWanted, located.faces, coordinatePrecision, job);
+  const std::vector<std::uint8_t> isOpposite =
+    chooseSides(located.places, rows, located.faces, opposite);
+  for (std::size_t i = 0; i < isOpposite.size(); ++i)
+  {
+    if (isOpposite[i])
+    {
+      located.faces[i] = std::move(opposite[i]);
+    }
+  }
 }
 
 }

@@ -44,6 +44,14 @@ public:
   LocatedPlaces locate(
     const std::vector<LocatedPolyline>& polylines, double coordinatePrecision, const Job& job = {});
 
+  /// Keeps polylines beside a thin wall on one side of it (chooseSides()): changes the faces of
+  /// places about as near to the other side. Places on the surface stay as they are. All ranks call
+  /// this together, with the same, and get the same. Not thread-safe.
+  ///
+  /// \param located the polylines' places.
+  void keepOnOneSide(const std::vector<LocatedPolyline>& polylines, double coordinatePrecision,
+    LocatedPlaces& located, const Job& job = {});
+
 private:
   SurfaceLocator locator_;
 };

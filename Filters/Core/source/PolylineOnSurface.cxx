@@ -2,6 +2,7 @@
 #include "source/PolylineOnSurface.h"
 
 #include "Errors.h"
+#include "Tolerance.h"
 #include "mesh/SurfaceSnap.h"
 #include "source/PlaceChoice.h"
 
@@ -70,8 +71,9 @@ public:
   {
   }
 
-  void put(const LocatedPolyline& polyline)
+  void put(const LocatedPolyline& polyline, std::size_t number)
   {
+    this->number_ = number;
     const std::vector<PlacedLine> places = this->placesOf(polyline);
     const std::vector<PlacedLine> lines =
       this->linesThrough(places, this->choose(places, polyline), polyline.closed);
@@ -137,12 +139,7 @@ private:
     {
       const PlacedPoint& next = places[(point + 1) % places.size()][to];
       const std::vector<SurfacePoint> path = this->joinFar(places[point][from], next, polyline);
-      double length = 0.0;
-      for (std::size_t i = 1; i < path.size(); ++i)
-      {
-        length += distanceInSpace(this->mesh_, path[i - 1], path[i]);
-      }
-      return length;
+      return this->lengthOf(path);
     };
     return choosePlaces(this->mesh_, possible, polyline.closed, this->components_, lengthBetween);
   }
@@ -199,6 +196,30 @@ private:
     this->result_.snapDistance = std::max(this->result_.snapDistance, distance);
   }
 
+  double lengthOf(const std::vector<SurfacePoint>& path) const
+  {
+    double length = 0.0;
+    for (std::size_t i = 1; i < path.size(); ++i)
+    {
+      length += distanceInSpace(this->mesh_, path[i - 1], path[i]);
+    }
+    return length;
+  }
+
+  void noteDetour(const PlacedPoint& from, const PlacedPoint& to,
+    const std::vector<SurfacePoint>& path, const SegmentOfPolyline& segment)
+  {
+    // Ends that differ by rounding tell nothing.
+    const double straight =
+      std::max(distanceInSpace(this->mesh_, from.place, to.place), from.tolerance + to.tolerance);
+    const double length = path.size() > 2 ? this->lengthOf(path) : 0.0;
+    if (length > tolerance::Detour * straight)
+    {
+      this->result_.detours.push_back(segment);
+      this->result_.largestDetour = std::max(this->result_.largestDetour, length / straight);
+    }
+  }
+
   void leaveOut(
     const PlacedPoint& repeated, const PlacedPoint& kept, const LocatedPolyline& polyline)
   {
@@ -242,9 +263,10 @@ private:
   /// Edges merely cut the curve; at vertices on its way it may bend.
   ///
   /// \param polyline of which this is a part.
-  SourceCurve join(const PlacedLine& line, const LocatedPolyline& polyline) const
+  SourceCurve join(const PlacedLine& line, const LocatedPolyline& polyline)
   {
     SourceCurve curve = pointCurve(line.front().place);
+    std::vector<SegmentOfPolyline>& given = this->result_.given.emplace_back();
     for (std::size_t n = 1; n < line.size(); ++n)
     {
       std::vector<SurfacePoint> path = { line[n - 1].place, line[n].place };
@@ -252,6 +274,11 @@ private:
       {
         path = this->joinFar(line[n - 1], line[n], polyline);
       }
+      // Points that repeat the one before have been left out.
+      const std::size_t count = polyline.points.size();
+      const SegmentOfPolyline segment = { this->number_, (line[n].index + count - 1) % count };
+      this->noteDetour(line[n - 1], line[n], path, segment);
+      given.insert(given.end(), path.size() - 1, segment);
       for (std::size_t i = 1; i < path.size(); ++i)
       {
         const bool isCut = i + 1 < path.size() && path[i].kind == SurfacePoint::Kind::Edge;
@@ -286,6 +313,8 @@ private:
   const JoinPoints& join_;
   const Job& job_;
   const double numberOfPoints_;
+  /// Of the polyline that is put.
+  std::size_t number_ = 0;
   /// Points of the finished polylines.
   double pointsDone_ = 0.0;
   std::size_t pointsPlaced_ = 0;
@@ -307,7 +336,7 @@ SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedP
   PolylinePutter putter(mesh, coordinatePrecision, join, job, numberOfPoints);
   for (const LocatedPolyline& polyline : polylines)
   {
-    putter.put(polyline);
+    putter.put(polyline, static_cast<std::size_t>(&polyline - polylines.data()));
   }
   return putter.take();
 }

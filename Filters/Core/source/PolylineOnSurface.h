@@ -36,6 +36,20 @@ struct LocatedPolyline
   {
     return this->pointNames.empty() ? this->name.part("point", i) : this->pointNames[i];
   }
+  /// The segment from point i to the next one. Of a line joined from several cells the point tells
+  /// which segment it is.
+  std::string nameOfSegment(std::size_t i) const
+  {
+    return this->pointNames.empty() ? this->name.part("segment", i).withoutInput()
+                                    : "the segment from " + this->pointNames[i].withoutInput();
+  }
+};
+
+/// The segment from point `segment` of a given polyline to its next point.
+struct SegmentOfPolyline
+{
+  std::size_t polyline = 0;
+  std::size_t segment = 0;
 };
 
 /// The curves as they lie on the surface.
@@ -46,6 +60,13 @@ struct SourceCurves
   double snapDistance = 0.0;
   /// Number of omitted points, equal to their predecessors on the surface.
   Id repeatedPoints = 0;
+  /// For each of the curves the given segment to which each of its segments belongs. Curves that
+  /// were not polylines may follow.
+  std::vector<std::vector<SegmentOfPolyline>> given;
+  /// The segments that are detours on the surface (tolerance::Detour), and the largest ratio of
+  /// their lengths to the straight distances between their ends.
+  std::vector<SegmentOfPolyline> detours;
+  double largestDetour = 0.0;
 };
 
 /// Finds a shortest path on the surface between two points that share no face: the first point, a
