@@ -531,7 +531,7 @@ private:
 std::unique_ptr<Refiner> refineWithinRoom(const Task& task)
 {
   constexpr double EnoughOfRoom = 0.97;
-  constexpr int MostRuns = 16;
+  constexpr int MostRuns = 12;
   std::unique_ptr<Refiner> best;
   double fits = Infinity;
   double tooSmall = task.options.tolerance;

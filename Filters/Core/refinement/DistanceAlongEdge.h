@@ -28,7 +28,7 @@ public:
   Deviation deviation(double from, double to, const std::array<double, 2>* ends) const;
   /// Places that cut a part into the fewest pieces within the tolerance, ascending. One is where
   /// the distance has a kink, if that needs no more pieces; else deviations are about equal. None
-  /// if there would be thousands.
+  /// if there would be hundreds.
   std::vector<double> cuts(double from, double to, double tolerance) const;
 
 private:

@@ -347,13 +347,13 @@ TEST_P(RefinementOnRanks, StopsAtAMaximumOfAllRanksTogether)
       task.tolerance, task.maximumFaces)
       .errorBound;
   double largestRatio = 0.0;
-  forEachCut(c.mesh, bothWaysToCut({ 1, 2, 3, 7 }), random,
+  forEachCut(c.mesh, { { 2, false }, { 7, true } }, random,
     [&](const CutMesh& cut)
     {
       const Joined joined = refineOnRanks(cut, task);
       EXPECT_TRUE(joined.refined.stoppedAtMaximum);
       EXPECT_LE(joined.refined.triangles.size(), task.maximumFaces);
-      // The size with one more leaf is unknown, so at least half of the limit is used.
+      // The size for the next tolerance is unknown, so at least half of the limit is used.
       EXPECT_GE(joined.refined.triangles.size(), 2 * faces);
       expectFitTogether(whole, joined);
       const Samples there = samplesOf(whole, joined, 500, random);
