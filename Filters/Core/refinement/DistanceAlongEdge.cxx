@@ -11,7 +11,7 @@ namespace
 {
 
 // An edge that needs more cuts is halved again and again: there may be no room for so many.
-constexpr std::size_t MostCuts = 100;
+constexpr std::size_t MostCuts = 300;
 
 double distanceAt(const std::vector<Window>& envelope, double x)
 {
