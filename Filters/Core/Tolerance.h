@@ -85,9 +85,10 @@ constexpr double SnapFraction = 0.1;
 /// wall is much nearer to it.
 constexpr double AboutAsNear = 3.0;
 
-/// Two faces are about parallel, whichever way they are oriented, if the cosine between their normals
-/// is at least this; and two directions are about opposite if it is at most minus this. That is
-/// halfway to a right angle, where an edge's two sides begin to be no walls of one another.
+/// Two faces are about parallel, whichever way they are oriented, if the cosine between their
+/// normals is at least this; and two directions are about opposite if it is at most minus this.
+/// That is 60 degrees: bent and tapering walls are within it, the two sides of a square edge are
+/// not.
 constexpr double AboutParallel = 0.5;
 
 /// Two places are on different sides of a wall if one lies off the other's side by more than this
