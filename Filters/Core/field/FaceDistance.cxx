@@ -161,4 +161,18 @@ double FaceDistance::distance(Vec2 p) const
   return std::max(least, 0.0);
 }
 
+const FaceDistance& enterFace(
+  std::optional<FaceDistance>& distance, const DistanceField& field, Id face)
+{
+  if (!distance)
+  {
+    distance.emplace(field, face);
+  }
+  else if (distance->face() != face)
+  {
+    distance.emplace(field, face, distance->releaseMemory());
+  }
+  return *distance;
+}
+
 }

@@ -6,6 +6,7 @@
 #include "mesh/HalfedgeFrame.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace geodesic
@@ -102,6 +103,12 @@ private:
   std::vector<DistanceCandidate> candidates_;
   std::size_t firstCorner_;
 };
+
+/// Goes from one face to the next, in the same memory; the distance in the last face stays.
+///
+/// \param distance that in the last face, always of this field.
+const FaceDistance& enterFace(
+  std::optional<FaceDistance>& distance, const DistanceField& field, Id face);
 
 }
 

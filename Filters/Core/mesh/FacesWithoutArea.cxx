@@ -284,7 +284,7 @@ struct Part
   Triangle corners;
   Id triangle;
   PartKind kind;
-  /// Whether it has to be looked at in the next round.
+  /// Whether it may be a face without area: it is one when a round begins.
   bool isNew;
 };
 
@@ -389,8 +389,10 @@ private:
   {
     for (std::size_t i = 0; i < this->triangles_->size(); ++i)
     {
+      const Triangle& t = (*this->triangles_)[i];
       const PartKind kind = this->isFace(i) ? PartKind::Face : PartKind::NoFace;
-      this->parts_.push_back({ (*this->triangles_)[i], static_cast<Id>(i), kind, true });
+      this->parts_.push_back(
+        { t, static_cast<Id>(i), kind, kind == PartKind::Face && this->isFlat(t) });
     }
     this->same_.resize(this->points_.size());
     for (Id vertex = 0; vertex < this->same_.size(); ++vertex)
@@ -499,7 +501,7 @@ private:
     std::vector<Edge> own;
     for (const Part& part : this->parts_)
     {
-      if (part.kind == PartKind::Face && !(part.isNew && this->isFlat(part.corners)))
+      if (part.kind == PartKind::Face && !part.isNew)
       {
         this->forEachEdge(part.corners, cuts,
           [&](std::size_t, const Edge& edge)
@@ -510,7 +512,7 @@ private:
     const std::set<Edge> withFace(all.begin(), all.end());
     for (Part& part : this->parts_)
     {
-      if (part.isNew && part.kind == PartKind::Face && this->isFlat(part.corners))
+      if (part.isNew)
       {
         bool isWhole = true;
         cuts.forEachPiece(this->longEdge(part.corners),

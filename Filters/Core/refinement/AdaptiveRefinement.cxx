@@ -81,9 +81,8 @@ public:
     {
       const Id point = c[k];
       corners[k] = { this->of(point),
-        this->faces_.edges.isVertex(point) ? this->faces_.field.vertexDistances()[point]
-                                           : this->faces_.edges.point(point).distance,
-        inHalfedgeFrame(mesh, frame, this->placeOf(point)) };
+        this->faces_.edges.distanceOf(point, this->faces_.field.vertexDistances()),
+        inHalfedgeFrame(mesh, frame, this->faces_.edges.placeOf(point)) };
     }
     return this->lengthAtBorder(corners);
   }
@@ -122,16 +121,6 @@ private:
     return a.distance + b.distance > (1.0 + tolerance::Tie) * norm(b.place - a.place);
   }
 
-  SurfacePoint placeOf(Id point) const
-  {
-    if (this->faces_.edges.isVertex(point))
-    {
-      return SurfacePoint::atVertex(point);
-    }
-    const PointOnEdge& on = this->faces_.edges.point(point);
-    return SurfacePoint::onEdge(this->faces_.edges[on.edge].halfedge, on.at);
-  }
-
   const SourceRegion& of(Id point)
   {
     if (point >= this->regions_.size())
@@ -142,7 +131,7 @@ private:
     std::optional<SourceRegion>& region = this->regions_[point];
     if (!region)
     {
-      region = this->options_.regionOf(this->placeOf(point));
+      region = this->options_.regionOf(this->faces_.edges.placeOf(point));
     }
     return *region;
   }

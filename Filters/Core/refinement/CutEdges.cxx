@@ -23,6 +23,16 @@ Id CutEdges::find(Id halfedge) const
   return found == this->numbers_.end() ? NoId : found->second;
 }
 
+SurfacePoint CutEdges::placeOf(Id number) const
+{
+  if (this->isVertex(number))
+  {
+    return SurfacePoint::atVertex(number);
+  }
+  const PointOnEdge& on = this->point(number);
+  return SurfacePoint::onEdge(this->edges_[on.edge].halfedge, on.at);
+}
+
 Id CutEdges::endOfPiece(Id edge, Id end) const
 {
   const CutEdge& e = this->edges_[edge];

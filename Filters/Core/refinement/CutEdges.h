@@ -2,7 +2,7 @@
 #ifndef geodesic_CutEdges_h
 #define geodesic_CutEdges_h
 
-#include "mesh/TriangleMesh.h"
+#include "mesh/SurfacePoint.h"
 #include "refinement/Deviation.h"
 
 #include <array>
@@ -67,6 +67,12 @@ public:
   const PointOnEdge& point(Id number) const
   {
     return this->points_[number - this->mesh_.numberOfVertices()];
+  }
+  /// Where a vertex or a point on an edge is, and its distance.
+  SurfacePoint placeOf(Id number) const;
+  double distanceOf(Id number, const std::vector<double>& vertexDistances) const
+  {
+    return this->isVertex(number) ? vertexDistances[number] : this->point(number).distance;
   }
   /// The end of a piece, piece i lying between ends i and i + 1; and the fraction of the way along
   /// the edge there.

@@ -26,23 +26,10 @@ void EdgeSplitter::forEachFaceToMeasure(Id edge, const Visit& visit)
     {
       if (!isDone && this->isFrozen_[face] == 0)
       {
-        visit(this->enter(face));
+        visit(enterFace(this->face_, this->field_, face));
         isDone = this->face_->isExact();
       }
     });
-}
-
-const FaceDistance& EdgeSplitter::enter(Id face)
-{
-  if (!this->face_)
-  {
-    this->face_.emplace(this->field_, face);
-  }
-  else if (this->face_->face() != face)
-  {
-    this->face_.emplace(this->field_, face, this->face_->releaseMemory());
-  }
-  return *this->face_;
 }
 
 const DistanceAlongEdge& EdgeSplitter::along(Id edge)
@@ -66,10 +53,10 @@ const DistanceAlongEdge& EdgeSplitter::along(Id edge)
   return this->along_;
 }
 
-double EdgeSplitter::distanceOfPoint(Id point) const
+double EdgeSplitter::distanceAtEnd(Id edge, Id end) const
 {
-  return this->edges_.isVertex(point) ? this->field_.vertexDistances()[point]
-                                      : this->edges_.point(point).distance;
+  return this->edges_.distanceOf(
+    this->edges_.endOfPiece(edge, end), this->field_.vertexDistances());
 }
 
 double EdgeSplitter::distanceAt(Id edge, double at)
@@ -104,8 +91,7 @@ std::vector<Deviation> EdgeSplitter::measure(Id edge)
     {
       pieces[piece] = this->deviation(edge, this->edges_.placeOfEnd(edge, piece),
         this->edges_.placeOfEnd(edge, piece + 1),
-        { this->distanceOfPoint(this->edges_.endOfPiece(edge, piece)),
-          this->distanceOfPoint(this->edges_.endOfPiece(edge, piece + 1)) });
+        { this->distanceAtEnd(edge, piece), this->distanceAtEnd(edge, piece + 1) });
     }
   }
   return pieces;
@@ -116,8 +102,7 @@ std::vector<Deviation> EdgeSplitter::measure(Id edge)
 EdgeCuts EdgeSplitter::fewestCuts(Id edge)
 {
   const CutEdge& e = this->edges_[edge];
-  const std::array<double, 2> ends = { this->distanceOfPoint(this->edges_.endOfPiece(edge, 0)),
-    this->distanceOfPoint(this->edges_.endOfPiece(edge, 1)) };
+  const std::array<double, 2> ends = { this->distanceAtEnd(edge, 0), this->distanceAtEnd(edge, 1) };
   const double merged =
     this->field_.relativeErrorBound() > 0.0 ? maximumMergedFor(this->tolerance_) : 0.0;
   const double rounding = tolerance::FaceRounding * std::max(ends[0], ends[1]);

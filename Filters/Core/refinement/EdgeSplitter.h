@@ -62,12 +62,11 @@ public:
 private:
   template <typename Visit>
   void forEachFaceToMeasure(Id edge, const Visit& visit);
-  const FaceDistance& enter(Id face);
   const DistanceAlongEdge& along(Id edge);
   double distanceAt(Id edge, double at);
   void addSplits(Id edge, ArrayRange<double> places, double from, double to, Id piece,
     std::vector<EdgeSplit>& splits, std::vector<std::pair<double, double>>& points);
-  double distanceOfPoint(Id point) const;
+  double distanceAtEnd(Id edge, Id end) const;
   Deviation deviation(Id edge, double from, double to, const std::array<double, 2>& ends);
 
   const DistanceField& field_;

@@ -53,13 +53,14 @@ std::size_t indexOfLargest(const std::array<double, 3>& values)
   return static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
 }
 
-} // anonymous namespace
-
+// The smallest angle of a triangle, in radians.
 double smallestAngle(const std::array<Vec2, 3>& c)
 {
   return std::min({ angleBetween(c[1] - c[0], c[2] - c[0]), angleBetween(c[2] - c[1], c[0] - c[1]),
     angleBetween(c[0] - c[2], c[1] - c[2]) });
 }
+
+} // anonymous namespace
 
 bool FaceRefiner::OpenPart::operator<(const OpenPart& other) const
 {
@@ -114,14 +115,7 @@ void FaceRefiner::enter(FaceTriangles& face)
 {
   this->face_ = &face;
   this->inside_.clear();
-  if (this->distance_)
-  {
-    this->distance_.emplace(this->field_, face.face(), this->distance_->releaseMemory());
-  }
-  else
-  {
-    this->distance_.emplace(this->field_, face.face());
-  }
+  enterFace(this->distance_, this->field_, face.face());
   for (std::size_t k = 0; k < 3; ++k)
   {
     this->edgeOfSide_[k] = this->edges_.find(TriangleMesh::halfedgeOf(face.face(), k));
@@ -151,13 +145,14 @@ FaceTriangles::Point FaceRefiner::pointOnEdge(std::size_t side, Id number) const
 {
   const PointOnEdge& on = this->edges_.point(number);
   FaceTriangles::Point point;
-  point.weights = barycentric(this->field_.mesh(),
-    SurfacePoint::onEdge(this->edges_[on.edge].halfedge, on.at), this->face_->face());
+  point.weights =
+    barycentric(this->field_.mesh(), this->edges_.placeOf(number), this->face_->face());
   point.place = this->distance_->inPlane(point.weights);
   point.distance = on.distance;
   point.here = this->distance_->isExact() ? on.distance : this->distance_->distance(point.place);
   point.number = number;
   point.sides = static_cast<std::uint8_t>(1U << side);
+  point.isForShape = on.isForShape;
   return point;
 }
 
@@ -270,9 +265,8 @@ double FaceRefiner::urgencyOfShape(Id part) const
   const auto lengths = lengthsOf(places);
   const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
   const double angle = smallestAngle(places);
-  return angle<this->leastAngle_&& * longest> UnequalSides * *shortest
-    ? this->leastAngle_ / std::max(angle, tolerance::Rounding)
-    : 0.0;
+  const bool isBad = angle < this->leastAngle_ && (*longest) > UnequalSides * (*shortest);
+  return isBad ? this->leastAngle_ / std::max(angle, tolerance::Rounding) : 0.0;
 }
 
 void FaceRefiner::improve(const OpenPart& open)
@@ -317,12 +311,9 @@ void FaceRefiner::mendError(const OpenPart& open)
   }
   else if (part.across[worst] == NoId)
   {
-    const Id a = part.corners[worst];
-    const Id b = part.corners[(worst + 1) % 3];
-    const std::size_t side = this->face_->sideWith(a, b);
-    const bool isReversed = this->isReversed(side);
-    this->request(open, side, this->alongEdge(side, isReversed ? b : a),
-      splitPosition(isReversed ? 1.0 - at : at));
+    const PieceOfEdge piece =
+      this->pieceBetween(part.corners[worst], part.corners[(worst + 1) % 3]);
+    this->request(open, piece, splitPosition(piece.isReversed ? 1.0 - at : at));
   }
   else if (!this->flipIfBoth(open.part, worst))
   {
@@ -359,27 +350,16 @@ void FaceRefiner::mendShape(const OpenPart& open)
   {
     return; // no piece may be shorter than the shortest side
   }
-  const Id a = part.corners[k];
-  const Id b = part.corners[next];
-  const std::size_t side = this->face_->sideWith(a, b);
-  const bool isReversed = this->isReversed(side);
+  const PieceOfEdge piece = this->pieceBetween(part.corners[k], part.corners[next]);
   const double weight = way / lengths[k];
-  this->request(open, side, this->alongEdge(side, isReversed ? b : a),
-    isNearBegin != isReversed ? weight : 1.0 - weight);
+  this->request(open, piece, isNearBegin != piece.isReversed ? weight : 1.0 - weight);
 }
 
-// Points that errors need are all but those that shapes have asked for.
+// Errors need all points but those that shapes alone have asked for.
 bool FaceRefiner::mayImproveShape() const
 {
-  Id forErrors = 0;
-  Id forShapes = 0;
-  for (const FaceTriangles::Point& point : this->face_->points())
-  {
-    const bool isForShape = point.number == NoId
-      ? point.isForShape
-      : !this->edges_.isVertex(point.number) && this->edges_.point(point.number).isForShape;
-    (isForShape ? forShapes : forErrors) += 1;
-  }
+  const Id forShapes = this->face_->pointsForShapes();
+  const Id forErrors = static_cast<Id>(this->face_->points().size()) - forShapes;
   return forShapes < SplitsForShape + SplitsForShapePerPoint * forErrors;
 }
 
@@ -411,11 +391,7 @@ void FaceRefiner::halveLongest(const OpenPart& open)
     const Id other = p.across[k];
     if (other == NoId)
     {
-      const std::size_t side = this->face_->sideWith(p.corners[k], p.corners[(k + 1) % 3]);
-      this->request(open, side,
-        std::min(
-          this->alongEdge(side, p.corners[k]), this->alongEdge(side, p.corners[(k + 1) % 3])),
-        0.5);
+      this->request(open, this->pieceBetween(p.corners[k], p.corners[(k + 1) % 3]), 0.5);
       return;
     }
     const auto there = lengthsOf(this->face_->places(this->face_->parts()[other].corners));
@@ -457,8 +433,7 @@ bool FaceRefiner::asksBeside(const OpenPart& open, const FaceTriangles::Point& p
 {
   const FaceShape& shape = this->field_.mesh().shape(this->face_->face());
   const double away = DistanceFromSides * 0.5 * length;
-  std::size_t nearest = 3;
-  double at = 0.0;
+  PieceOfEdge beside;
   double longest = 2.0 * away; // shorter ones do no harm
   for (std::size_t side = 0; side < 3; ++side)
   {
@@ -474,43 +449,45 @@ bool FaceRefiner::asksBeside(const OpenPart& open, const FaceTriangles::Point& p
       const double lengthOfPiece = this->edges_.lengthOfPiece(edge, piece);
       if (lengthOfPiece > longest)
       {
-        nearest = side;
+        beside = { edge, piece, false };
         longest = lengthOfPiece;
-        at = this->edges_.placeOfEnd(edge, piece);
       }
     }
   }
-  if (nearest < 3)
+  if (beside.edge == NoId)
   {
-    this->request(open, nearest, at, 0.5);
+    return false;
   }
-  return nearest < 3;
+  this->request(open, beside, 0.5);
+  return true;
 }
 
-// Asks for a point on the piece that begins at a fraction of the edge.
-void FaceRefiner::request(const OpenPart& open, std::size_t side, double at, double weight)
+void FaceRefiner::request(const OpenPart& open, const PieceOfEdge& piece, double weight)
 {
-  const Id edge = this->edgeOfSide_[side];
-  this->requests_->push_back(
-    { edge, this->edges_.pieceFrom(edge, at), open.reason, open.urgency, weight });
+  this->requests_->push_back({ piece.edge, piece.piece, open.reason, open.urgency, weight });
   this->face_->part(open.part).state = FaceTriangles::State::Waiting;
+}
+
+FaceRefiner::PieceOfEdge FaceRefiner::pieceBetween(Id a, Id b) const
+{
+  const std::size_t side = this->face_->sideWith(a, b);
+  const Id edge = this->edgeOfSide_[side];
+  const double fromA = this->alongEdge(side, a);
+  const double fromB = this->alongEdge(side, b);
+  return { edge, this->edges_.pieceFrom(edge, std::min(fromA, fromB)), fromB < fromA };
 }
 
 // The deviation along a side between two points of the face.
 FaceRefiner::SideDeviation FaceRefiner::deviationOf(Id a, Id b)
 {
-  const std::size_t side = this->face_->sideWith(a, b);
-  if (side == 3)
+  if (this->face_->sideWith(a, b) == 3)
   {
     const Deviation& inside = this->measured(std::min(a, b), std::max(a, b));
     return { inside, a < b ? inside.at() : 1.0 - inside.at() };
   }
-  const Id edge = this->edgeOfSide_[side];
-  const double fromA = this->alongEdge(side, a);
-  const double fromB = this->alongEdge(side, b);
-  const Deviation& piece =
-    this->edges_[edge].pieces[this->edges_.pieceFrom(edge, std::min(fromA, fromB))];
-  return { piece, fromA < fromB ? piece.at() : 1.0 - piece.at() };
+  const PieceOfEdge piece = this->pieceBetween(a, b);
+  const Deviation& along = this->edges_[piece.edge].pieces[piece.piece];
+  return { along, piece.isReversed ? 1.0 - along.at() : along.at() };
 }
 
 // From the lower point to the higher one, to the last digit the same from both sides.

@@ -101,6 +101,15 @@ private:
     double at;
   };
 
+  /// A piece between two points of one side of the face.
+  struct PieceOfEdge
+  {
+    Id edge = NoId;
+    Id piece = NoId;
+    /// Whether the edge runs from the second point to the first.
+    bool isReversed = false;
+  };
+
   void enter(FaceTriangles& face);
   void takePoints();
   void takePoints(std::size_t side);
@@ -116,10 +125,11 @@ private:
   void halveLongest(const OpenPart& open);
   void splitInside(const OpenPart& open, Id part, std::size_t side, double weight);
   bool asksBeside(const OpenPart& open, const FaceTriangles::Point& point, double length);
-  void request(const OpenPart& open, std::size_t side, double at, double weight);
+  void request(const OpenPart& open, const PieceOfEdge& piece, double weight);
   bool mayImproveShape() const;
 
   Check check(const Triangle& corners, bool isTight);
+  PieceOfEdge pieceBetween(Id a, Id b) const;
   SideDeviation deviationOf(Id a, Id b);
   const Deviation& measured(Id a, Id b);
   double alongEdge(std::size_t side, Id point) const;
@@ -142,9 +152,6 @@ private:
   /// The deviations along sides inside the face, from the lower point to the higher one.
   std::unordered_map<std::uint64_t, Deviation> inside_;
 };
-
-/// The smallest angle of a triangle, in radians.
-double smallestAngle(const std::array<Vec2, 3>& corners);
 
 }
 

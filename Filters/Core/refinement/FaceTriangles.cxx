@@ -56,6 +56,7 @@ Id FaceTriangles::addPoint(const Point& point)
   {
     this->pointsOn_[side] += (point.sides >> side) & 1U;
   }
+  this->pointsForShapes_ += point.isForShape ? 1 : 0;
   return static_cast<Id>(this->points_.size()) - 1;
 }
 

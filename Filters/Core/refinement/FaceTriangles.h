@@ -34,7 +34,7 @@ public:
     double weight = 0.0;
     /// A bit for each of the face's sides on which it lies.
     std::uint8_t sides = 0;
-    /// Whether shapes alone have asked for it: inside only.
+    /// Whether shapes alone have asked for it.
     bool isForShape = false;
   };
 
@@ -70,6 +70,8 @@ public:
 
   /// The number of points on a side, without its ends.
   Id pointsOn(std::size_t side) const { return this->pointsOn_[side]; }
+  /// The number of points that shapes alone have asked for.
+  Id pointsForShapes() const { return this->pointsForShapes_; }
   /// The side of the face on which both points lie; 3 if there is none.
   std::size_t sideWith(Id a, Id b) const;
   /// Whether the triangle has the face's orientation, by more than rounding. Points of one side of
@@ -99,6 +101,7 @@ private:
   std::vector<Point> points_;
   std::vector<Part> parts_;
   std::array<Id, 3> pointsOn_{};
+  Id pointsForShapes_ = 0;
   std::vector<Id> changed_;
 };
 

@@ -13,11 +13,6 @@ namespace geodesic
 namespace
 {
 
-SurfacePoint placeOf(const RefinedFaces& faces, const PointOnEdge& point)
-{
-  return SurfacePoint::onEdge(faces.edges[point.edge].halfedge, point.at);
-}
-
 /// The numbers of a face's points among those of all faces.
 std::vector<Id> numbersIn(const FaceTriangles& face, Id firstInside)
 {
@@ -37,7 +32,8 @@ std::vector<RefinedPoint> addedPoints(const RefinedFaces& faces, const std::vect
   std::vector<RefinedPoint> points;
   for (const PointOnEdge& point : faces.edges.points())
   {
-    const SurfacePoint place = placeOf(faces, point);
+    const Id number = mesh.numberOfVertices() + static_cast<Id>(points.size());
+    const SurfacePoint place = faces.edges.placeOf(number);
     points.push_back({ point.parents, point.weight, place, position(mesh, place), point.distance });
   }
   for (std::size_t i = 0; i < faces.openFaces().size(); ++i)
@@ -191,12 +187,7 @@ void appendTriangles(const RefinedFaces& faces, Id face, const std::vector<Id>& 
   }
   cutAtEdges(
     mesh.triangle(face), splits,
-    [&](Id point)
-    {
-      return faces.edges.isVertex(point) ? mesh.point(point)
-                                         : position(mesh, placeOf(faces, faces.edges.point(point)));
-    },
-    triangles);
+    [&](Id point) { return position(mesh, faces.edges.placeOf(point)); }, triangles);
 }
 
 RefinedMesh writeOutput(
