@@ -65,18 +65,29 @@ FarPoints farPointsOf(
 }
 
 /// "segment 3 of cell 0, segment 8 of cell 0 and 2 more".
+///
+/// \param names of the first.
+/// \param count of all.
+std::string listed(const std::vector<std::string>& names, std::size_t count)
+{
+  std::string text;
+  for (const std::string& name : names)
+  {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return count > names.size() ? text + " and " + std::to_string(count - names.size()) + " more"
+                              : text;
+}
+
 std::string namesOf(
   const std::vector<LocatedPolyline>& polylines, const std::vector<SegmentOfPolyline>& segments)
 {
-  std::string text;
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < std::min(segments.size(), PointsNamed); ++i)
   {
-    text +=
-      (i == 0 ? "" : ", ") + polylines[segments[i].polyline].nameOfSegment(segments[i].segment);
+    names.push_back(polylines[segments[i].polyline].nameOfSegment(segments[i].segment));
   }
-  return segments.size() > PointsNamed
-    ? text + " and " + std::to_string(segments.size() - PointsNamed) + " more"
-    : text;
+  return listed(names, segments.size());
 }
 
 void noteDetours(const SourcePolylines& source, const SourceCurves& onSurface, Notes& notes)
@@ -119,15 +130,8 @@ std::string farText(
   {
     text << " (" << std::round(100.0 * far.largestDistance / surface.diagonal) << " % of its size)";
   }
-  text << ", at " << far.count << " of " << far.ofAll << " points: ";
-  for (std::size_t i = 0; i < far.names.size(); ++i)
-  {
-    text << (i == 0 ? "" : ", ") << far.names[i];
-  }
-  if (far.count > far.names.size())
-  {
-    text << " and " << far.count - far.names.size() << " more";
-  }
+  text << ", at " << far.count << " of " << far.ofAll
+       << " points: " << listed(far.names, far.count);
   return text.str();
 }
 

@@ -506,12 +506,23 @@ vtkSmartPointer<vtkCellArray> getCells(MessageReader& reader)
   return cells;
 }
 
+void putText(Message& message, const std::string& text)
+{
+  putAll(message, std::vector<char>(text.begin(), text.end()));
+}
+
+std::string getText(MessageReader& reader)
+{
+  const auto chars = reader.getAll<char>();
+  return { chars.begin(), chars.end() };
+}
+
 void putNames(Message& message, const std::vector<std::string>& names)
 {
   put(message, names.size());
   for (const std::string& name : names)
   {
-    putAll(message, std::vector<char>(name.begin(), name.end()));
+    putText(message, name);
   }
 }
 
@@ -520,16 +531,14 @@ std::vector<std::string> getNames(MessageReader& reader)
   std::vector<std::string> names(reader.get<std::size_t>());
   for (std::string& name : names)
   {
-    const auto chars = reader.getAll<char>();
-    name.assign(chars.begin(), chars.end());
+    name = getText(reader);
   }
   return names;
 }
 
 void putBlock(const PolyDataBlock& block, Message& message)
 {
-  const std::string& part = block.name.withoutInput();
-  putAll(message, std::vector<char>(part.begin(), part.end()));
+  putText(message, block.name.withoutInput());
   vtkPolyData* data = block.data;
   const vtkIdType count = data->GetNumberOfPoints();
   put(message, block.precision() == FLT_EPSILON ? VTK_FLOAT : VTK_DOUBLE);
@@ -564,8 +573,7 @@ std::size_t takeBlocks(
   MessageReader reader(message);
   while (!reader.isAtEnd())
   {
-    const auto chars = reader.getAll<char>();
-    const std::string part(chars.begin(), chars.end());
+    const std::string part = getText(reader);
     const auto data = vtkSmartPointer<vtkPolyData>::New();
     vtkNew<vtkPoints> points;
     points->SetDataType(reader.get<int>());

@@ -319,27 +319,23 @@ private:
     struct State
     {
       std::uint64_t triangles;
-      std::uint32_t isAnyLeft;
-      std::uint32_t isAnyAdded;
+      std::uint64_t isAnyLeft;
     };
     const bool isAnyLeft = !requests.empty() || !this->due_.empty();
     const MeshPartition& surface = this->task_.surface();
-    const bool isAnyAdded =
-      this->numberOfTriangles_ > surface.endOfOwnFaces() - surface.firstOwnFace();
     this->trianglesOfAll_ = 0;
     bool isAnyLeftOfAll = false;
-    bool isAnyAddedOfAll = false;
-    for (const State& state : valuesOfRanks(surface.exchange(),
-           State{ this->numberOfTriangles_, isAnyLeft ? 1U : 0U, isAnyAdded ? 1U : 0U }))
+    for (const State& state :
+      valuesOfRanks(surface.exchange(), State{ this->numberOfTriangles_, isAnyLeft ? 1U : 0U }))
     {
       this->trianglesOfAll_ += state.triangles;
       isAnyLeftOfAll = isAnyLeftOfAll || state.isAnyLeft != 0;
-      isAnyAddedOfAll = isAnyAddedOfAll || state.isAnyAdded != 0;
       this->isOverfull_ = this->isOverfull_ || state.triangles > MostOfRank;
     }
     const std::uint64_t maximum = this->task_.options.maximumFaces;
+    const bool isAnyAdded = this->trianglesOfAll_ > surface.numberOfGlobalFaces();
     this->isOverfull_ = this->isOverfull_ ||
-      (maximum > 0 && this->trianglesOfAll_ > maximum && (isAnyLeftOfAll || isAnyAddedOfAll));
+      (maximum > 0 && this->trianglesOfAll_ > maximum && (isAnyLeftOfAll || isAnyAdded));
     return isAnyLeftOfAll && !this->isOverfull_;
   }
 
@@ -524,8 +520,10 @@ std::unique_ptr<Refiner> refineWithinRoom(const Task& task)
   std::unique_ptr<Refiner> best;
   double fits = Infinity;
   double tooSmall = task.options.tolerance;
+  const std::uint64_t maximum = task.options.maximumFaces;
+  const bool isRoom = maximum == 0 || maximum >= task.surface().numberOfGlobalFaces();
   double growth = 4.0; // 4, 16, 256 ... times the tolerance until there is room
-  for (int run = 0; run < MostRuns; ++run)
+  for (int run = 0; isRoom && run < MostRuns; ++run)
   {
     double next = growth * task.options.tolerance;
     if (best)
@@ -547,7 +545,7 @@ std::unique_ptr<Refiner> refineWithinRoom(const Task& task)
       break;
     }
   }
-  if (!best) // not even for the surface as it is
+  if (!best) // the surface as it is
   {
     best = std::make_unique<Refiner>(task, Infinity);
     best->run();

@@ -35,7 +35,7 @@ struct RefinedFaces
       corners[k].place = inHalfedgeFrame(mesh, longest, corners[k].weights);
       corners[k].number = mesh.triangle(face)[k];
       corners[k].distance = this->field.vertexDistances()[corners[k].number];
-      corners[k].here = corners[k].distance;
+      corners[k].here = corners[k].distance; // a corner is among its faces' candidates
       this->edges.ensure(TriangleMesh::halfedgeOf(face, k));
     }
     this->ofFace[face] = static_cast<Id>(this->open_.size());

@@ -184,15 +184,12 @@ TEST(ThinWalls, ACurveAroundTheRimStaysOnBothSides)
   }
 }
 
-// The bottom is as near as a rounding here: there is no choice.
-TEST(ThinWalls, PointsOnTheSurfaceStay)
+namespace
 {
-  const TriangleMesh mesh = engineMesh(plate());
-  Random random(1);
-  LocatedPolyline line = noisyLine(Thickness, 0.0, 41, random);
-  line.points[10][2] = 0.0;
-  line.points[20] = { 50.0, 50.0, 0.0 }; // a vertex
-  line.points[30][2] = DBL_EPSILON;
+
+/// The places of a line stay on the closest faces.
+void expectPlacesStay(const TriangleMesh& mesh, const LocatedPolyline& line)
+{
   const std::vector<LocatedPolyline> lines = { line };
   PolylineLocator locator{ MeshPartition(mesh) };
   const LocatedPlaces before = locator.locate(lines, DBL_EPSILON);
@@ -203,6 +200,20 @@ TEST(ThinWalls, PointsOnTheSurfaceStay)
     ASSERT_EQ(after.faces[i].size(), before.faces[i].size());
     EXPECT_EQ(after.faces[i].front().face.id, before.faces[i].front().face.id);
   }
+}
+
+} // anonymous namespace
+
+// The bottom is as near as a rounding here: there is no choice.
+TEST(ThinWalls, PointsOnTheSurfaceStay)
+{
+  const TriangleMesh mesh = engineMesh(plate());
+  Random random(1);
+  LocatedPolyline line = noisyLine(Thickness, 0.0, 41, random);
+  line.points[10][2] = 0.0;
+  line.points[20] = { 50.0, 50.0, 0.0 }; // a vertex
+  line.points[30][2] = DBL_EPSILON;
+  expectPlacesStay(mesh, line);
 }
 
 /// A place that two curves share, or that a curve returns to, has one side for all.
@@ -276,16 +287,7 @@ TEST(ThinWalls, ALineThroughABallChangesSidesAtItsCentre)
   {
     line.points.push_back({ 0.01, 0.02, -0.93 + 0.1 * i });
   }
-  const std::vector<LocatedPolyline> lines = { line };
-  PolylineLocator locator{ MeshPartition(mesh) };
-  const LocatedPlaces before = locator.locate(lines, DBL_EPSILON);
-  LocatedPlaces after = before;
-  locator.keepOnOneSide(lines, DBL_EPSILON, after);
-  for (std::size_t i = 0; i < before.faces.size(); ++i)
-  {
-    ASSERT_EQ(after.faces[i].size(), before.faces[i].size());
-    EXPECT_EQ(after.faces[i].front().face.id, before.faces[i].front().face.id);
-  }
+  expectPlacesStay(mesh, line);
 }
 
 TEST(ThinWalls, TheSidesDoNotDependOnHowTheSurfaceIsCut)
