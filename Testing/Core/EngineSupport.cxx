@@ -287,11 +287,12 @@ std::vector<MeshPoint> randomPoints(const PlainMesh& mesh, std::size_t count, Ra
   return points;
 }
 
-RandomCase randomCase(const MeshKind& kind, std::uint64_t seed, std::size_t numberOfQueries)
+RandomCase randomCase(
+  const MeshKind& kind, std::uint64_t seed, std::size_t numberOfQueries, Index mostFaces)
 {
   Random random(seed);
   RandomCase result;
-  result.mesh = kind.make(randomSize(random), random);
+  result.mesh = kind.make(std::min(randomSize(random), mostFaces), random);
   CurveMaker maker(result.mesh, random);
   result.curves = maker.anySource();
   result.queries = randomPoints(result.mesh, numberOfQueries, random);

@@ -16,6 +16,7 @@
 #include "source/PolylineOnSurface.h"
 #include "source/SourceCurve.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -122,7 +123,9 @@ struct RandomCase
   std::vector<MeshPoint> queries;
   BruteForceResult truth;
 };
-RandomCase randomCase(const MeshKind& kind, std::uint64_t seed, std::size_t numberOfQueries);
+/// \param mostFaces makes large meshes smaller.
+RandomCase randomCase(const MeshKind& kind, std::uint64_t seed, std::size_t numberOfQueries,
+  Index mostFaces = std::numeric_limits<Index>::max());
 
 /// What was found of a target.
 struct FoundPath

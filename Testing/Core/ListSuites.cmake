@@ -5,9 +5,9 @@
 cmake_policy(VERSION 3.18)
 
 # The slowest first: nothing is left to wait for at the end.
-set(cost_of_NearestSources 50)
-set(cost_of_FrontOnRanks 40)
 set(cost_of_Parallel 30)
+set(cost_of_NearestSources 20)
+set(cost_of_OnRanks 20)
 set(cost_of_ParallelFront 20)
 
 execute_process(

@@ -6,10 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
-#include <mutex>
 #include <string>
 
 namespace geodesictest
@@ -133,17 +130,6 @@ std::vector<WayToCut> someWaysToCut()
   return { { 2, false }, { 3, true }, { 4, false }, { 7, true }, { 7, false } };
 }
 
-std::vector<WayToCut> bothWaysToCut(const std::vector<int>& numbersOfRanks)
-{
-  std::vector<WayToCut> ways;
-  for (const int ranks : numbersOfRanks)
-  {
-    ways.push_back({ ranks, false });
-    ways.push_back({ ranks, true });
-  }
-  return ways;
-}
-
 void forEachCut(const PlainMesh& mesh, const std::vector<WayToCut>& ways, Random& random,
   const std::function<void(const CutMesh&)>& test)
 {
@@ -190,33 +176,6 @@ void onRanks(const CutMesh& cut, const std::vector<Polyline>& curves, std::uint6
       work({ exchange, part, piece.wholeVertices, piece.wholeFaces, faces, patch, curvesOnPatch,
         sources });
     });
-}
-
-RanksResult distancesOnRanks(const CutMesh& cut, const std::vector<Polyline>& curves,
-  const geodesic::FrontOptions& options, std::uint64_t disorder)
-{
-  RanksResult result;
-  result.vertices.assign(cut.mesh.points.size(), std::numeric_limits<double>::infinity());
-  std::vector<std::uint8_t> isKnown(cut.mesh.points.size(), 0);
-  std::mutex mutex;
-  onRanks(cut, curves, disorder,
-    [&](const RankOfRun& rank)
-    {
-      geodesic::FrontOptions own = options;
-      geodesic::KeepNone none;
-      const geodesic::FrontResult front = propagate(rank.part, rank.sources, own, none);
-      const std::lock_guard<std::mutex> lock(mutex);
-      for (std::size_t i = 0; i < rank.wholeVertices.size(); ++i)
-      {
-        double& value = result.vertices[rank.wholeVertices[i]];
-        const bool isSame = !isKnown[rank.wholeVertices[i]] || value == front.vertexDistances[i];
-        value = isSame ? front.vertexDistances[i] : std::nan("");
-        isKnown[rank.wholeVertices[i]] = 1;
-      }
-      result.relativeErrorBound = front.relativeErrorBound;
-      result.windowsPropagated = front.windowsPropagated;
-    });
-  return result;
 }
 
 }

@@ -36,8 +36,6 @@ struct WayToCut
   bool inSpace;
 };
 std::vector<WayToCut> someWaysToCut();
-/// Each number of ranks, both at random and in space.
-std::vector<WayToCut> bothWaysToCut(const std::vector<int>& numbersOfRanks);
 
 /// Tests a mesh cut in each of the ways; failure messages name the way.
 void forEachCut(const PlainMesh& mesh, const std::vector<WayToCut>& ways, Random& random,
@@ -67,17 +65,6 @@ Index wholeFaceOf(const RankOfRun& rank, const geodesic::RankAddress& face);
 /// \param disorder as in MemoryRanks.
 void onRanks(const CutMesh& cut, const std::vector<Polyline>& curves, std::uint64_t disorder,
   const std::function<void(const RankOfRun&)>& work);
-
-/// The result of a front over several ranks.
-struct RanksResult
-{
-  /// At the whole mesh's vertices; NaN where ranks that share a vertex have found different values.
-  std::vector<double> vertices;
-  double relativeErrorBound = 0.0;
-  std::uint64_t windowsPropagated = 0;
-};
-RanksResult distancesOnRanks(const CutMesh& cut, const std::vector<Polyline>& curves,
-  const geodesic::FrontOptions& options, std::uint64_t disorder = 0);
 
 }
 

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Under MPI: the refined pieces of all ranks are one surface, bit for bit, and what is reported is
-// that of the whole.
+// Under MPI: the refined pieces of all ranks are one surface, bit for bit, with one value of each
+// array at each point; ghost cells are refined as the cells whose copies they are. On a plane all
+// values are those of the straight line to the nearest source. What is reported is that of the
+// whole.
 #include "BarrierTesting.h"
 #include "GeodesicTesting.h"
 #include "RanksTesting.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkGeodesicPaths.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -17,49 +21,100 @@ using namespace GeodesicTesting;
 namespace
 {
 
-/// A point and the distance there.
-using Corner = std::array<double, 4>;
-using Corners = std::array<Corner, 3>;
+const Point SourcePoint = { 0.2, 0.8, 0.0 };
+const std::array<Point, 2> SourceLine = { { { 0.15, 0.3, 0.0 }, { 0.85, 0.6, 0.0 } } };
 
-/// The triangles of an output that are surface, or those that are copies by ghost arrays.
-std::vector<Corners> TrianglesOf(vtkPolyData* output, bool areCopies)
+/// A point, which is source 0, and a line across all pieces, which is source 1.
+vtkSmartPointer<vtkPolyData> Sources()
 {
-  vtkDataArray* distances = output->GetPointData()->GetArray("GeodesicDistance");
-  vtkDataArray* ghosts = output->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
-  std::vector<Corners> triangles;
-  for (vtkIdType i = 0; i < output->GetNumberOfPolys(); ++i)
-  {
-    if ((ghosts && ghosts->GetTuple1(i) != 0.0) != areCopies)
-    {
-      continue;
-    }
-    vtkNew<vtkIdList> ids;
-    output->GetPolys()->GetCellAtId(i, ids);
-    Corners corners;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const vtkIdType id = ids->GetId(static_cast<vtkIdType>(k));
-      output->GetPoint(id, corners[k].data());
-      corners[k][3] = distances->GetTuple1(id);
-    }
-    triangles.push_back(corners);
-  }
-  return triangles;
+  auto sources = PointSources({ SourcePoint, SourceLine[0], SourceLine[1] });
+  vtkNew<vtkCellArray> verts;
+  verts->InsertNextCell({ 0 });
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 1, 2 });
+  sources->SetVerts(verts);
+  sources->SetLines(lines);
+  return sources;
 }
 
+/// A point of an output, and all that the filter has computed there. Made of doubles only.
+struct Corner
+{
+  Point Place;
+  double Distance;
+  double SourceId;
+  Point Foot;
+  Point Gradient;
+  double SignedDistance;
+  double ArcLength;
+  double Angle;
+  std::array<double, 2> Texture;
+
+  static constexpr std::size_t Count = 16;
+  using Numbers = std::array<double, Count>;
+  Numbers All() const
+  {
+    return { this->Place[0], this->Place[1], this->Place[2], this->Distance, this->SourceId,
+      this->Foot[0], this->Foot[1], this->Foot[2], this->Gradient[0], this->Gradient[1],
+      this->Gradient[2], this->SignedDistance, this->ArcLength, this->Angle, this->Texture[0],
+      this->Texture[1] };
+  }
+};
+
+/// What a triangle's corners have.
+using Corners = std::array<Corner::Numbers, 3>;
+
+Corner CornerAt(vtkPolyData* output, vtkIdType id)
+{
+  const auto get = [&](const char* name, double* to)
+  {
+    if (vtkDataArray* array = output->GetPointData()->GetArray(name))
+    {
+      array->GetTuple(id, to);
+    }
+  };
+  Corner corner{};
+  output->GetPoint(id, corner.Place.data());
+  get("GeodesicDistance", &corner.Distance);
+  get("SourceId", &corner.SourceId);
+  get("ClosestSourcePoint", corner.Foot.data());
+  get("DistanceGradient", corner.Gradient.data());
+  get("SignedGeodesicDistance", &corner.SignedDistance);
+  get("SourceArcLength", &corner.ArcLength);
+  get("SourceAngle", &corner.Angle);
+  get("SourceTextureCoordinates", corner.Texture.data());
+  return corner;
+}
+
+/// The data sets that an input or an output is made of.
+std::vector<vtkPolyData*> PartsOf(vtkDataObject* data)
+{
+  std::vector<vtkPolyData*> parts;
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data);
+  for (unsigned int i = 0; blocks && i < blocks->GetNumberOfBlocks(); ++i)
+  {
+    parts.push_back(vtkPolyData::SafeDownCast(blocks->GetBlock(i)));
+  }
+  return blocks ? parts : std::vector<vtkPolyData*>{ vtkPolyData::SafeDownCast(data) };
+}
+
+/// The triangles of an output that are surface, or those that are copies by ghost arrays.
 std::vector<Corners> TrianglesOf(vtkDataObject* output, bool areCopies)
 {
-  if (auto* data = vtkPolyData::SafeDownCast(output))
-  {
-    return TrianglesOf(data, areCopies);
-  }
   std::vector<Corners> triangles;
-  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output);
-  for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+  for (vtkPolyData* part : PartsOf(output))
   {
-    const std::vector<Corners> own =
-      TrianglesOf(vtkPolyData::SafeDownCast(blocks->GetBlock(i)), areCopies);
-    triangles.insert(triangles.end(), own.begin(), own.end());
+    vtkDataArray* ghosts = part->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType i = 0; i < part->GetNumberOfPolys(); ++i)
+    {
+      if ((ghosts && ghosts->GetTuple1(i) != 0.0) == areCopies)
+      {
+        vtkNew<vtkIdList> ids;
+        part->GetPolys()->GetCellAtId(i, ids);
+        triangles.push_back({ CornerAt(part, ids->GetId(0)).All(),
+          CornerAt(part, ids->GetId(1)).All(), CornerAt(part, ids->GetId(2)).All() });
+      }
+    }
   }
   return triangles;
 }
@@ -67,11 +122,10 @@ std::vector<Corners> TrianglesOf(vtkDataObject* output, bool areCopies)
 /// Those of all ranks.
 std::vector<Corners> Gathered(const std::vector<Corners>& own)
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   vtkNew<vtkDoubleArray> sent;
   for (const Corners& corners : own)
   {
-    for (const Corner& corner : corners)
+    for (const Corner::Numbers& corner : corners)
     {
       for (const double value : corner)
       {
@@ -80,23 +134,34 @@ std::vector<Corners> Gathered(const std::vector<Corners>& own)
     }
   }
   vtkNew<vtkDoubleArray> received;
-  controller->AllGatherV(sent, received);
-  std::vector<Corners> all(static_cast<std::size_t>(received->GetNumberOfValues() / 12));
-  for (std::size_t i = 0; i < all.size(); ++i)
+  vtkMultiProcessController::GetGlobalController()->AllGatherV(sent, received);
+  constexpr std::size_t size = Corner::Count;
+  std::vector<Corners> all(static_cast<std::size_t>(received->GetNumberOfValues()) / (3 * size));
+  for (std::size_t i = 0; i < all.size() * 3 * size; ++i)
   {
-    for (std::size_t k = 0; k < 12; ++k)
-    {
-      all[i][k / 4][k % 4] = received->GetValue(static_cast<vtkIdType>(12 * i + k));
-    }
+    all[i / (3 * size)][i / size % 3][i % size] = received->GetValue(static_cast<vtkIdType>(i));
   }
   return all;
 }
 
+double Sum(double own)
+{
+  double all = 0.0;
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    &own, &all, 1, vtkCommunicator::SUM_OP);
+  return all;
+}
+
+Point PlaceOf(const Corner::Numbers& corner)
+{
+  return { corner[0], corner[1], corner[2] };
+}
+
 /// The length of all edges with one triangle, with three, and so on. Those with two are left out:
-/// refinement adds such.
+/// refinement adds such. Edges whose ends differ in any number are different ones.
 std::map<int, double> LengthsOfRims(const std::vector<Corners>& triangles)
 {
-  std::map<std::pair<Corner, Corner>, int> edges;
+  std::map<std::pair<Corner::Numbers, Corner::Numbers>, int> edges;
   for (const Corners& corners : triangles)
   {
     for (std::size_t k = 0; k < 3; ++k)
@@ -107,14 +172,10 @@ std::map<int, double> LengthsOfRims(const std::vector<Corners>& triangles)
   std::map<int, double> lengths;
   for (const auto& [ends, count] : edges)
   {
-    double squared = 0.0;
-    for (std::size_t x = 0; x < 3; ++x)
-    {
-      squared += (ends.second[x] - ends.first[x]) * (ends.second[x] - ends.first[x]);
-    }
     if (count != 2)
     {
-      lengths[count] += std::sqrt(squared);
+      const Point end = PlaceOf(ends.second);
+      lengths[count] += DistanceToSegment(PlaceOf(ends.first), end, end);
     }
   }
   return lengths;
@@ -133,75 +194,171 @@ void CompareLengths(Check& check, const std::map<int, double>& actual,
   }
 }
 
-/// A surface may have barriers.
-void AskForBarriers(vtkGeodesicDistanceField* filter, vtkPolyData* surface)
+/// Points on seams are the same on all ranks that have them in cells of their own, and copies of
+/// cells are refined as what they are copies of.
+void CheckRanksAgree(Check& check, const std::vector<Corners>& all,
+  const std::vector<Corners>& copies, const std::string& what)
 {
-  filter->SetBarrierArrayName(surface->GetCellData()->HasArray("barrier") ? "barrier" : nullptr);
+  std::map<Point, Corner::Numbers> at;
+  std::set<Corners> known(all.begin(), all.end());
+  bool areOne = true;
+  for (const Corners& corners : all)
+  {
+    for (const Corner::Numbers& corner : corners)
+    {
+      areOne = areOne && at.emplace(PlaceOf(corner), corner).first->second == corner;
+    }
+  }
+  check.That(areOne, what + ": points on seams are the same on all ranks");
+  for (const Corners& copy : copies)
+  {
+    const bool isKnown = known.count(copy) + known.count({ copy[1], copy[2], copy[0] }) +
+        known.count({ copy[2], copy[0], copy[1] }) >
+      0;
+    check.That(isKnown, what + ": a copy is as its original");
+  }
+}
+
+/// Whether p is on the left of the line; 0 where its sides part.
+double SideOfLine(const Point& p)
+{
+  const Point& a = SourceLine[0];
+  const Point& b = SourceLine[1];
+  const Point along = { b[0] - a[0], b[1] - a[1], 0.0 };
+  const double at = (p[0] - a[0]) * along[0] + (p[1] - a[1]) * along[1];
+  const bool isBeside = at > 1e-9 && at < along[0] * along[0] + along[1] * along[1] - 1e-9;
+  const double side = along[0] * (p[1] - a[1]) - along[1] * (p[0] - a[0]);
+  return isBeside && std::abs(side) > 1e-9 ? side : 0.0;
+}
+
+/// Along and across the line, around the point.
+void CheckCoordinates(Check& check, const Corner& at, const double* frame, const std::string& what)
+{
+  if (at.SourceId == 0.0)
+  {
+    check.Equal(at.ArcLength, 0.0, what + ": arc length at a point");
+    for (std::size_t x = 0; x < 3; ++x)
+    {
+      const double reached =
+        SourcePoint[x] + at.Texture[0] * frame[x] + at.Texture[1] * frame[3 + x];
+      check.That(std::abs(reached - at.Place[x]) <= std::max(1e-12, 2e-3 * at.Distance),
+        what + ": texture coordinates around the point");
+      const double direction = at.Distance > 1e-6
+        ? std::cos(at.Angle) * frame[x] + std::sin(at.Angle) * frame[3 + x] -
+          (at.Place[x] - SourcePoint[x]) / DistanceToSegment(at.Place, SourcePoint, SourcePoint)
+        : 0.0;
+      check.That(std::abs(direction) <= 1e-9, what + ": angle around the point");
+    }
+    return;
+  }
+  check.That(
+    std::abs(at.ArcLength - DistanceToSegment(at.Foot, SourceLine[0], SourceLine[0])) <= 1e-12,
+    what + ": arc length");
+  check.That(at.Texture[0] == at.ArcLength && at.Texture[1] == at.SignedDistance,
+    what + ": texture coordinates along the line");
+  const double side = SideOfLine(at.Place);
+  check.That(side == 0.0 || std::abs(at.Angle - std::copysign(std::acos(0.0), side)) <= 1e-9,
+    what + ": angle beside the line");
+}
+
+/// Whether the gradient at a point is the direction from the nearest point of a segment.
+bool PointsAwayFrom(const Corner& at, const Point& a, const Point& b, double tolerance)
+{
+  const Point& p = at.Place;
+  const double t = FractionNearestTo(p, a, b);
+  const double distance = DistanceToSegment(p, a, b);
+  bool is = true;
+  for (std::size_t x = 0; x < 3; ++x)
+  {
+    const double direction = (p[x] - a[x] - t * (b[x] - a[x])) / distance;
+    is = is && std::abs(at.Gradient[x] - direction) <= std::max(1e-9, 100.0 * tolerance);
+  }
+  return is;
+}
+
+/// \param tolerance of the distance and the gradient.
+void CheckOnPlane(Check& check, const Corner& at, double tolerance, const std::string& what)
+{
+  const Point& p = at.Place;
+  const double toPoint = DistanceToSegment(p, SourcePoint, SourcePoint);
+  const double toLine = DistanceToSegment(p, SourceLine[0], SourceLine[1]);
+  const double truth = std::min(toPoint, toLine);
+  check.That(std::abs(at.Distance - truth) <= tolerance, what + ": distance");
+  const bool isFromLine = at.SourceId == 1.0;
+  check.That(std::abs((isFromLine ? toLine : toPoint) - truth) <= 1e-12, what + ": source");
+  const double besideSource = isFromLine ? DistanceToSegment(at.Foot, SourceLine[0], SourceLine[1])
+                                         : DistanceToSegment(at.Foot, SourcePoint, SourcePoint);
+  const double toFoot = DistanceToSegment(p, at.Foot, at.Foot);
+  check.That(besideSource <= 1e-12 && std::abs(toFoot - truth) <= 1e-12, what + ": foot");
+  // Where the sources are as far within the error, the gradient may be that of the other one.
+  const bool isOfPoint =
+    toPoint <= truth + tolerance && PointsAwayFrom(at, SourcePoint, SourcePoint, tolerance);
+  const bool isOfLine =
+    toLine <= truth + tolerance && PointsAwayFrom(at, SourceLine[0], SourceLine[1], tolerance);
+  check.That(truth <= 1e-6 || isOfPoint || isOfLine, what + ": gradient");
+  const double side = isFromLine ? SideOfLine(p) : 1.0;
+  check.That(side == 0.0 || at.SignedDistance == std::copysign(at.Distance, side), what + ": sign");
+}
+
+struct Task
+{
+  std::string Name;
+  vtkSmartPointer<vtkDataObject> Piece;
+  /// In one process.
+  vtkSmartPointer<vtkPolyData> Surface;
+  bool IsFlat = false;
+  double Tolerance = 1e-3;
+  double RelativeError = 0.0;
+  double MaximumDistance = 0.0;
+  bool AreBordersRefined = false;
+
+  bool HasBarriers() const { return this->Surface->GetCellData()->HasArray("barrier"); }
+};
+
+void Ask(vtkGeodesicDistanceField* filter, const Task& task)
+{
+  filter->SetInputDataObject(task.Piece);
+  filter->SetSourceData(Sources());
+  filter->SetRefinementTolerance(task.Tolerance);
+  filter->SetRefineSourceBorders(task.AreBordersRefined);
+  filter->GenerateSourceIdsOn();
+  filter->GenerateClosestPointsOn();
+  filter->GenerateGradientsOn();
+  filter->GenerateSignedDistanceOn();
+  filter->GenerateSourceArcLengthOn();
+  filter->GenerateSourceAngleOn();
+  filter->GenerateTextureCoordinatesOn();
+  filter->SetTextureScale(1.0);
+  filter->SetAccuracy(task.RelativeError > 0.0 ? vtkGeodesicDistanceField::APPROXIMATE
+                                               : vtkGeodesicDistanceField::EXACT);
+  filter->SetRelativeError(task.RelativeError);
+  filter->SetMaximumDistance(task.MaximumDistance);
+  filter->SetBarrierArrayName(task.HasBarriers() ? "barrier" : nullptr);
 }
 
 /// Those of the surface in one process, which is not refined.
-std::map<int, double> LengthsOfWhole(vtkPolyData* surface)
+std::map<int, double> LengthsOfWhole(const Task& task)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetController(nullptr);
-  filter->SetInputData(surface);
-  AskForBarriers(filter, surface);
-  filter->SetSourceData(PointSources({ { 0.3, 0.4, 0.0 } }));
+  Ask(filter, task);
+  filter->SetInputData(task.Surface);
   filter->RefineMeshOff();
   filter->Update();
   return LengthsOfRims(TrianglesOf(filter->GetOutput(), false));
 }
 
-/// What a piece and all others become.
-void Compare(Check& check, vtkDataObject* piece, vtkPolyData* surface, double tolerance,
-  double relativeError, const std::string& what)
+void CheckBound(Check& check, vtkGeodesicDistanceField* filter, const Task& task)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputDataObject(piece);
-  AskForBarriers(filter, surface);
-  filter->SetSourceData(PointSources({ { 0.3, 0.4, 0.0 } }));
-  filter->SetRefinementTolerance(tolerance);
-  if (relativeError > 0.0)
-  {
-    filter->SetAccuracyToApproximate();
-    filter->SetRelativeError(relativeError);
-  }
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), what + ": " + messages.Error());
-  const std::vector<Corners> all = Gathered(TrianglesOf(filter->GetOutputDataObject(0), false));
-  check.That(all.size() > 2 * static_cast<std::size_t>(surface->GetNumberOfPolys()),
-    what + ": the surface is refined");
-  CompareLengths(check, LengthsOfRims(all), LengthsOfWhole(surface), what);
-
   const double bound = filter->GetInterpolationErrorBound();
-  const double diagonal = surface->GetLength();
-  check.That(bound > 0.0 && bound <= tolerance * diagonal, what + ": the tolerance is met");
-  std::array<double, 2> bounds = { bound, -bound };
-  std::array<double, 2> largest{};
-  vtkMultiProcessController::GetGlobalController()->AllReduce(
-    bounds.data(), largest.data(), 2, vtkCommunicator::MAX_OP);
-  check.That(largest[0] == -largest[1], what + ": one bound on all ranks");
-
-  std::set<Corners> known(all.begin(), all.end());
-  for (const Corners& copy : TrianglesOf(filter->GetOutputDataObject(0), true))
-  {
-    const bool isKnown = known.count(copy) + known.count({ copy[1], copy[2], copy[0] }) +
-        known.count({ copy[2], copy[0], copy[1] }) >
-      0;
-    check.That(isKnown, what + ": a copy looks like its original");
-  }
+  check.That(bound > 0.0 && bound <= task.Tolerance * task.Surface->GetLength(),
+    task.Name + ": the tolerance is met");
+  check.That(Sum(bound) == bound * Sum(1.0), task.Name + ": one bound on all ranks");
 }
 
 /// The input's points come first, cells are parts of the input's.
-void CheckPiece(Check& check, vtkPolyData* piece)
+void CheckPiece(Check& check, vtkPolyData* output, vtkPolyData* piece, const std::string& what)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(piece);
-  AskForBarriers(filter, piece);
-  filter->SetSourceData(PointSources({ { 0.3, 0.4, 0.0 } }));
-  filter->Update();
-  vtkPolyData* output = filter->GetOutput();
   bool areSame = output->GetNumberOfPoints() >= piece->GetNumberOfPoints();
   for (vtkIdType i = 0; areSame && i < piece->GetNumberOfPoints(); ++i)
   {
@@ -211,67 +368,174 @@ void CheckPiece(Check& check, vtkPolyData* piece)
     output->GetPoint(i, after.data());
     areSame = before == after;
   }
-  check.That(areSame, "the input's points come first");
+  check.That(areSame, what + ": the input's points come first");
   vtkDataArray* ids = output->GetCellData()->GetArray("OriginalCellIds");
-  check.That(ids && ids->GetNumberOfTuples() == output->GetNumberOfCells(), "cells have parents");
+  check.That(
+    ids && ids->GetNumberOfTuples() == output->GetNumberOfCells(), what + ": cells have parents");
   std::set<double> parents;
   for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
   {
     parents.insert(ids->GetTuple1(i));
   }
   check.Equal(static_cast<double>(parents.size()), static_cast<double>(piece->GetNumberOfCells()),
-    "all cells of the piece have parts");
+    what + ": all cells of the piece have parts");
 }
 
-void TestCuts(Check& check, Ranks ranks, vtkPolyData* surface)
+/// Checks the values at the points of this rank's cells.
+void CheckValues(Check& check, vtkDataObject* output, const Task& task)
 {
-  const std::vector<std::pair<std::string, Cut>> cuts = {
-    { "in strips", Strips(surface, ranks.Count) },
-    { "at random", AtRandom(ranks.Count) },
-    { "with nothing on the last rank", AtRandom(std::max(1, ranks.Count - 1)) },
-  };
-  for (const auto& [name, cut] : cuts)
+  vtkDataArray* frames = output->GetFieldData()->GetArray("SourceFrame");
+  check.That(frames && frames->GetNumberOfTuples() == 2, task.Name + ": frames on every rank");
+  std::array<double, 9> frame{};
+  if (frames)
   {
-    const auto piece = Part(surface, FacesOf(surface, cut, ranks.Rank));
-    const auto withGhosts = PartWithGhosts(surface, cut, ranks.Rank);
-    for (const double tolerance : { 3e-3, 3e-4 })
+    frames->GetTuple(0, frame.data());
+  }
+  double unreached = 0.0;
+  for (vtkPolyData* part : PartsOf(output))
+  {
+    vtkNew<vtkIdList> used;
+    part->BuildLinks();
+    for (vtkIdType id = 0; id < part->GetNumberOfPoints(); ++id)
     {
-      Compare(check, piece, surface, tolerance, 0.0, name);
-      Compare(check, piece, surface, tolerance, 1e-3, name + ", approximately");
-      Compare(check, withGhosts, surface, tolerance, 0.0, name + ", with ghost cells");
+      part->GetPointCells(id, used);
+      const Corner at = CornerAt(part, id);
+      if (used->GetNumberOfIds() > 0 && at.SourceId < 0.0)
+      {
+        unreached += 1.0;
+        const bool isSo = std::isinf(at.Distance) && at.Foot == at.Place &&
+          at.Gradient == Point{} && std::isinf(at.SignedDistance) && std::isinf(at.ArcLength) &&
+          std::isinf(at.Angle) && std::isinf(at.Texture[0]) && std::isinf(at.Texture[1]);
+        check.That(isSo, task.Name + ": a point that is not reached has no source");
+      }
+      else if (used->GetNumberOfIds() > 0 && task.IsFlat)
+      {
+        CheckOnPlane(check, at, std::max(task.RelativeError, 1e-12), task.Name);
+        CheckCoordinates(check, at, frame.data(), task.Name);
+      }
     }
-    CheckPiece(check, piece);
-    CheckPiece(check, withGhosts);
   }
+  check.That((Sum(unreached) > 0.0) == (task.MaximumDistance > 0.0 || task.HasBarriers()),
+    task.Name + ": points are not reached beyond the limit and in barriers");
 }
 
-void TestBlocks(Check& check, Ranks ranks, vtkPolyData* surface)
+/// Runs a task on all ranks, and checks all that holds for any.
+void Run(Check& check, const Task& task)
 {
-  const Cut cut = AtRandom(2 * ranks.Count);
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  for (int i = 0; i < 2; ++i)
+  vtkNew<vtkGeodesicDistanceField> filter;
+  Ask(filter, task);
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Error().empty(), task.Name + ": " + messages.Error());
+  vtkDataObject* output = filter->GetOutputDataObject(0);
+  const std::vector<Corners> all = Gathered(TrianglesOf(output, false));
+  const std::vector<Corners> copies = TrianglesOf(output, true);
+  CheckRanksAgree(check, all, copies, task.Name);
+  const auto ghosts = static_cast<double>(TrianglesOf(task.Piece, true).size());
+  check.That((Sum(static_cast<double>(copies.size()) - ghosts) > 0.0) == (Sum(ghosts) > 0.0),
+    task.Name + ": copies are refined where there are any");
+  CompareLengths(check, LengthsOfRims(all), LengthsOfWhole(task), task.Name);
+  check.That(task.MaximumDistance > 0.0 ||
+      all.size() > 2 * static_cast<std::size_t>(task.Surface->GetNumberOfPolys()),
+    task.Name + ": the surface is refined");
+  CheckBound(check, filter, task);
+  if (auto* piece = vtkPolyData::SafeDownCast(task.Piece))
   {
-    blocks->SetBlock(
-      static_cast<unsigned int>(i), Part(surface, FacesOf(surface, cut, 2 * ranks.Rank + i)));
+    CheckPiece(check, filter->GetOutput(), piece, task.Name);
   }
-  Compare(check, blocks, surface, 3e-4, 0.0, "blocks on each rank");
+  CheckValues(check, output, task);
 }
 
-/// Ghost cells far from the rank's own, whose points no own face has.
-void TestFarGhosts(Check& check, Ranks ranks, vtkPolyData* surface)
+/// The faces of this rank, then those of all others as ghosts.
+vtkSmartPointer<vtkPolyData> WithFarGhosts(vtkPolyData* surface, const Cut& cut, int rank)
 {
-  const Cut cut = Strips(surface, ranks.Count);
-  std::vector<vtkIdType> faces = FacesOf(surface, cut, ranks.Rank);
+  std::vector<vtkIdType> faces = FacesOf(surface, cut, rank);
   const std::size_t own = faces.size();
   for (vtkIdType face = 0; face < surface->GetNumberOfPolys(); ++face)
   {
-    if (cut(face) != ranks.Rank)
+    if (cut(face) != rank)
     {
       faces.push_back(face);
     }
   }
-  const auto piece = PartWithGhosts(surface, faces, own);
-  Compare(check, piece, surface, 3e-4, 0.0, "the whole on each rank, mostly ghosts");
+  return PartWithGhosts(surface, faces, own);
+}
+
+/// Two blocks on each rank.
+vtkSmartPointer<vtkMultiBlockDataSet> InBlocks(vtkPolyData* surface, Ranks ranks, bool hasGhosts)
+{
+  const Cut cut = AtRandom(2 * ranks.Count);
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (int i = 0; i < 2; ++i)
+  {
+    const int number = 2 * ranks.Rank + i;
+    blocks->SetBlock(static_cast<unsigned int>(i),
+      hasGhosts ? PartWithGhosts(surface, cut, number)
+                : Part(surface, FacesOf(surface, cut, number)));
+  }
+  return blocks;
+}
+
+/// Every way in which ranks have a surface.
+void TestCuts(Check& check, Ranks ranks, vtkPolyData* surface, const std::string& name, bool isFlat)
+{
+  const int fewer = std::max(1, ranks.Count - 1);
+  std::vector<std::pair<std::string, Cut>> cuts = {
+    { "in strips", Strips(surface, ranks.Count) },
+    { "at random", AtRandom(ranks.Count) },
+    { "with nothing on the last rank", AtRandom(fewer) },
+  };
+  if (surface->GetCellData()->HasArray("barrier"))
+  {
+    cuts.back() = { "barriers on a rank of their own", BarriersApart(surface, ranks.Count) };
+  }
+  Task task;
+  task.Surface = surface;
+  task.IsFlat = isFlat;
+  const auto run = [&](const std::string& how, vtkDataObject* piece)
+  {
+    task.Name = name + " " + how;
+    task.Piece = piece;
+    Run(check, task);
+  };
+  for (const auto& [how, cut] : cuts)
+  {
+    const auto withGhosts = PartWithGhosts(surface, cut, ranks.Rank);
+    run(how, Part(surface, FacesOf(surface, cut, ranks.Rank)));
+    task.Tolerance = 3e-4;
+    run(how + ", with ghosts", withGhosts);
+    task.Tolerance = 1e-3;
+    if (task.HasBarriers())
+    {
+      continue;
+    }
+    task.MaximumDistance = 0.3;
+    run(how + ", with ghosts, within a limit", withGhosts);
+    task.MaximumDistance = 0.0;
+    for (const double error : { 0.0, 1e-3 })
+    {
+      task.RelativeError = error;
+      task.AreBordersRefined = true;
+      task.Tolerance = 5e-3;
+      run(how + ", with ghosts and borders, error " + std::to_string(error), withGhosts);
+      task.AreBordersRefined = false;
+      task.Tolerance = 1e-3;
+    }
+    run(how + ", with ghosts, approximately", withGhosts);
+    task.RelativeError = 0.0;
+  }
+  run("mostly ghosts", WithFarGhosts(surface, AtRandom(ranks.Count), ranks.Rank));
+  run("in blocks", InBlocks(surface, ranks, false));
+  run("in blocks with ghosts", InBlocks(surface, ranks, true));
+}
+
+/// Ghosts that have no points in common with the cells around them.
+void TestSoup(Check& check, Ranks ranks)
+{
+  const auto soup = Soup(Square(8));
+  Run(check,
+    { "a soup, mostly ghosts", WithFarGhosts(soup, AtRandom(ranks.Count), ranks.Rank), soup,
+      true });
 }
 
 /// Faces on the same vertices on two ranks are one, and look the same.
@@ -285,7 +549,7 @@ void TestDuplicates(Check& check, Ranks ranks, vtkPolyData* surface)
   }
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetInputData(Part(surface, faces));
-  AskForBarriers(filter, surface);
+  filter->SetBarrierArrayName(surface->GetCellData()->HasArray("barrier") ? "barrier" : nullptr);
   filter->SetSourceData(PointSources({ { 0.3, 0.4, 0.0 } }));
   filter->SetRefinementTolerance(3e-4);
   filter->Update();
@@ -308,7 +572,7 @@ void TestMaximum(Check& check, Ranks ranks, vtkPolyData* surface)
   const auto piece = Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank));
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetInputData(piece);
-  AskForBarriers(filter, surface);
+  filter->SetBarrierArrayName(surface->GetCellData()->HasArray("barrier") ? "barrier" : nullptr);
   filter->SetSourceData(PointSources({ { 0.3, 0.4, 0.0 } }));
   filter->SetRefinementTolerance(1e-6);
   const vtkIdType most = 3 * surface->GetNumberOfPolys();
@@ -319,7 +583,9 @@ void TestMaximum(Check& check, Ranks ranks, vtkPolyData* surface)
   check.That(static_cast<vtkIdType>(all.size()) <= most &&
       static_cast<vtkIdType>(all.size()) > surface->GetNumberOfPolys(),
     "the maximum holds for all ranks together: " + std::to_string(all.size()));
-  CompareLengths(check, LengthsOfRims(all), LengthsOfWhole(surface), "at the maximum");
+  Task task;
+  task.Surface = surface;
+  CompareLengths(check, LengthsOfRims(all), LengthsOfWhole(task), "at the maximum");
   check.That(ranks.Rank > 0 || Contains(messages.Warning(), "MaximumNumberOfCells"),
     "and is told, on the first rank");
   filter->SetMaximumNumberOfCells(surface->GetNumberOfPolys() - 1);
@@ -366,10 +632,10 @@ void TestPrecisions(Check& check, Ranks ranks)
     double measured = 0.0;
     for (const Corners& corners : all)
     {
-      for (const Corner& at : corners)
+      for (const Corner::Numbers& at : corners)
       {
-        measured = std::max(
-          measured, std::abs(at[3] - DistanceToSegment({ at[0], at[1], at[2] }, source, source)));
+        measured =
+          std::max(measured, std::abs(at[3] - DistanceToSegment(PlaceOf(at), source, source)));
       }
     }
     const double bound = filter->GetInterpolationErrorBound();
@@ -407,27 +673,72 @@ void TestTypesOfEmptyPieces(Check& check, Ranks ranks, vtkPolyData* surface)
   }
 }
 
-/// Barriers are cut where their rims are split, on whichever rank.
-void TestBarriers(Check& check, Ranks ranks)
+/// Where paths over all pieces end, and in which direction they leave from there.
+void TestEndsOfPaths(Check& check, Ranks ranks, vtkPolyData* plane)
 {
-  const auto surface = WithBarriers(NoisySquare(8), IsInWall);
-  const std::vector<std::pair<std::string, Cut>> cuts = {
-    { "barriers in strips", Strips(surface, ranks.Count) },
-    { "barriers at random", AtRandom(ranks.Count) },
-    { "barriers on a rank of their own", BarriersApart(surface, ranks.Count) },
-  };
-  for (const auto& [name, cut] : cuts)
+  for (const auto& [name, cut] :
+    std::vector<std::pair<std::string, Cut>>{ { "paths in strips", Strips(plane, ranks.Count) },
+      { "paths at random", AtRandom(ranks.Count) } })
   {
-    const auto piece = Part(surface, FacesOf(surface, cut, ranks.Rank));
-    Compare(check, piece, surface, 3e-4, 0.0, name);
-    Compare(
-      check, PartWithGhosts(surface, cut, ranks.Rank), surface, 3e-4, 0.0, name + ", with ghosts");
-    CheckPiece(check, piece);
+    vtkNew<vtkGeodesicPaths> filter;
+    filter->SetInputData(Part(plane, FacesOf(plane, cut, ranks.Rank)));
+    filter->SetSourceData(Sources());
+    filter->SetTargetsData(plane);
+    filter->GenerateSourceArcLengthOn();
+    filter->GenerateSourceAngleOn();
+    Messages messages(filter);
+    messages.Update();
+    check.That(messages.Error().empty(), name + ": " + messages.Error());
+    vtkPolyData* output = filter->GetOutput();
+    vtkDataArray* frames = output->GetFieldData()->GetArray("SourceFrame");
+    check.That(frames && frames->GetNumberOfTuples() == 2, name + ": frames on every rank");
+    check.That(Sum(static_cast<double>(output->GetNumberOfLines())) ==
+        static_cast<double>(plane->GetNumberOfPoints()),
+      name + ": a path from each point");
+    std::array<double, 9> frame{};
+    frames->GetTuple(0, frame.data());
+    const auto valueOf = [output](const char* array, vtkIdType line)
+    { return output->GetCellData()->GetArray(array)->GetTuple1(line); };
+    for (vtkIdType line = 0; line < output->GetNumberOfLines(); ++line)
+    {
+      vtkNew<vtkIdList> ids;
+      output->GetLines()->GetCellAtId(line, ids);
+      Corner at{};
+      output->GetPoint(ids->GetId(0), at.Place.data());
+      output->GetPoint(ids->GetId(ids->GetNumberOfIds() - 1), at.Foot.data());
+      at.SourceId = valueOf("SourceId", line);
+      at.Distance = valueOf("GeodesicDistance", line);
+      at.ArcLength = valueOf("SourceArcLength", line);
+      at.Angle = valueOf("SourceAngle", line);
+      at.SignedDistance = at.Distance;
+      at.Texture = at.SourceId == 0.0 ? std::array<double, 2>{ at.Distance * std::cos(at.Angle),
+        at.Distance * std::sin(at.Angle) }
+                                      : std::array<double, 2>{ at.ArcLength, at.SignedDistance };
+      CheckCoordinates(check, at, frame.data(), name);
+    }
   }
-  TestBlocks(check, ranks, surface);
-  TestFarGhosts(check, ranks, surface);
-  TestDuplicates(check, ranks, surface);
-  TestMaximum(check, ranks, surface);
+}
+
+/// One rank is stopped while the arrays are computed: none waits for it.
+void TestAbort(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  const auto piece = PartWithGhosts(surface, Strips(surface, ranks.Count), ranks.Rank);
+  const Task task = { "after an abort", piece, surface, true };
+  vtkNew<vtkGeodesicDistanceField> filter;
+  Ask(filter, task);
+  const Listener listener(filter, vtkCommand::ProgressEvent,
+    [&]()
+    {
+      if (ranks.Rank == ranks.Count - 1 && filter->GetProgress() > 0.92)
+      {
+        filter->SetAbortExecute(1);
+      }
+    });
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Error().empty(), "an abort is no error: " + messages.Error());
+  CheckOutputsEmpty(check, filter, "an abort on one rank");
+  Run(check, task);
 }
 
 }
@@ -437,14 +748,23 @@ int TestGeodesicRanksRefined(int argc, char* argv[])
   return RunOnRanks(argc, argv,
     [](Check& check, Ranks ranks)
     {
-      const auto surface = NoisySquare(8);
-      TestCuts(check, ranks, surface);
-      TestBlocks(check, ranks, surface);
-      TestFarGhosts(check, ranks, surface);
-      TestDuplicates(check, ranks, surface);
-      TestMaximum(check, ranks, surface);
-      TestBarriers(check, ranks);
+      const auto plane = Square(8);
+      const auto noisy = NoisySquare(8);
+      // Wider than a cell, so that some of its points are inside.
+      const auto walled = WithBarriers(
+        NoisySquare(8), [](const Point& p) { return p[0] > 0.5 && p[0] < 0.75 && p[1] < 0.75; });
+      TestCuts(check, ranks, plane, "a plane", true);
+      TestCuts(check, ranks, noisy, "a surface", false);
+      TestCuts(check, ranks, walled, "a surface with a wall", false);
+      TestSoup(check, ranks);
+      for (const auto& surface : { noisy, walled })
+      {
+        TestDuplicates(check, ranks, surface);
+        TestMaximum(check, ranks, surface);
+      }
       TestPrecisions(check, ranks);
       TestTypesOfEmptyPieces(check, ranks, Square(8, Cells::Triangles, VTK_FLOAT));
+      TestEndsOfPaths(check, ranks, plane);
+      TestAbort(check, ranks, plane);
     });
 }

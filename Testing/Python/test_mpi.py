@@ -241,87 +241,14 @@ def whole_sphere():
     return source.GetOutput()
 
 
-def alone_with(filter_class, surface, source, **properties):
-    """The output of a filter in this process alone."""
-    alone = filter_class()
-    alone.SetController(None)
-    alone.SetInputData(surface)
-    alone.SetSourceData(source)
-    for name, value in properties.items():
-        getattr(alone, "Set" + name)(value)
-    alone.Update()
-    return alone.GetOutput()
-
-
-def arrays_beside_the_distance():
-    """What is nearest to each point, and where, is what one process finds."""
-    sphere = simple.Sphere(ThetaResolution=40, PhiResolution=30)
-    producer, cloud = point_cloud([(0.5, 0, 0.01), (-0.2, 0.4, 0.2), (0.1, -0.1, -0.5)])
-    switches = {"GenerateSourceIds": 1, "GenerateClosestPoints": 1, "GenerateGradients": 1}
-    output = data(GeodesicDistanceField(Input=sphere, Source=producer, RefineMesh=0, **switches))
-    whole = alone_with(vtkGeodesicDistanceField, whole_sphere(), cloud, RefineMesh=0, **switches)
-    if output.GetNumberOfPoints() == 0:
-        return
-    nearest = [np.argmin(((points(whole) - p) ** 2).sum(axis=1)) for p in points(output)]
-
-    def both(name):
-        return (vtk_to_numpy(output.GetPointData().GetArray(name)),
-                vtk_to_numpy(whole.GetPointData().GetArray(name))[nearest])
-    ids, expected = both("SourceId")
-    same = ids == expected
-    check(same.mean() > 0.98, f"the same source is nearest, where none ties: {same.mean()}")
-    check(set(ids) <= {0, 1, 2}, f"sources are numbered over all ranks: {set(ids)}")
-    for name, tolerance in (("ClosestSourcePoint", ROUNDED), ("DistanceGradient", 1e-3)):
-        ours, theirs = both(name)
-        far = np.linalg.norm(ours - theirs, axis=1)[same] > tolerance
-        # Where two ways to a source are equally long either may be told.
-        check(far.mean() < 0.02, f"{name} is that of one process but at {far.sum()} points")
-
-
 def ghost_cells(surface):
     """ParaView 6 has another name for the filter than 5.11."""
     names = [name for name in ("GhostCells", "GhostCellsGenerator") if hasattr(simple, name)]
     return getattr(simple, names[0])(Input=surface)
 
 
-def arrays_of_refined_ghost_cells():
-    """New points of ghost cells have sources, feet and directions, too."""
-    whole = whole_sphere()
-    at = np.array([whole.GetPoint(i) for i in (100, 500, 900)])
-    producer, _ = point_cloud(at)
-    spread = pieces(whole)
-    with_ghosts = ghost_cells(spread)
-    with_ghosts.BuildIfRequired = 0
-    field = GeodesicDistanceField(Input=with_ghosts, Source=producer, RefineMesh=1,
-                                  RefinementTolerance=0.003, GenerateSourceIds=1,
-                                  GenerateClosestPoints=1, GenerateGradients=1)
-    with messages() as window:
-        field.UpdatePipeline()
-    check("ERR" not in window.GetOutput(), f"refined ghost cells: {window.GetOutput()!r}")
-    ghosts = 0
-    for piece in leaves(data(field)):
-        flags = piece.GetCellData().GetArray("vtkGhostType")
-        ghosts += np.count_nonzero(vtk_to_numpy(flags)) if flags else 0
-        if piece.GetNumberOfPoints() == 0:
-            continue
-        distances, ids, feet, gradients = (
-            vtk_to_numpy(piece.GetPointData().GetArray(name)) for name in
-            ("GeodesicDistance", "SourceId", "ClosestSourcePoint", "DistanceGradient"))
-        check(ids.min() >= 0, "each point has a source")
-        check(np.abs(feet - at[ids]).max() < ROUNDED, "the foot is the point with that number")
-        # Points of the source lie on the sphere: no way is shorter than straight.
-        straight = np.linalg.norm(points(piece) - feet, axis=1)
-        check((distances > straight - ROUNDED).all(), "no distance is shorter than straight")
-        lengths = np.linalg.norm(gradients, axis=1)[distances > ROUNDED]
-        check(np.abs(lengths - 1).max() < 1e-9, "gradients have length 1")
-    before = sum(np.count_nonzero(vtk_to_numpy(piece.GetCellData().GetArray("vtkGhostType")))
-                 for piece in leaves(data(with_ghosts)) if polys(piece))
-    check(RANKS == 1 or total(ghosts) > total(before), "ghost cells are refined")
-
-
-def barriers_over_seams():
-    """Paths go around a wall through all pieces, which is cut where its rim is refined."""
-    from vtkmodules.util.numpy_support import numpy_to_vtk
+def all_filters_over_seams():
+    """The proxies of each filter, with a wall on the surface and ghost cells around the pieces."""
     whole = whole_sphere()
     triangles = vtk_to_numpy(whole.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     centres = points(whole)[triangles].mean(axis=1)
@@ -330,71 +257,41 @@ def barriers_over_seams():
     wall.SetName("wall")
     whole.GetCellData().AddArray(wall)
     source, cloud = point_cloud([whole.GetPoint(900)])
-    alone = whole_field(whole, cloud, BarrierArrayName="wall")
-    open_field = whole_field(whole, cloud)
-    check(not np.array_equal(alone[1], open_field[1]), "the wall is in the way")
-    spread = pieces(whole)
-    field = GeodesicDistanceField(Input=spread, Source=source, RefineMesh=0,
-                                  BarrierArrayName="wall")
-    compare(data(field), alone, EXACT, "a wall over the seams")
-    refined = GeodesicDistanceField(Input=spread, Source=source, BarrierArrayName="wall",
-                                    GenerateSourceIds=1)
+    targets, places = point_cloud([whole.GetPoint(i) for i in (100, 400, 700)])
+    expected = whole_field(whole, cloud, BarrierArrayName="wall")
+    check(not np.array_equal(expected[1], whole_field(whole, cloud)[1]), "the wall is in the way")
+    with_ghosts = ghost_cells(pieces(whole))
+    with_ghosts.BuildIfRequired = 0
     with messages() as window:
-        refined.UpdatePipeline()
-    check("ERR" not in window.GetOutput(), f"a refined wall: {window.GetOutput()!r}")
-    check(total(polys(data(refined))) > whole.GetNumberOfPolys(), "the surface is refined")
+        field = GeodesicDistanceField(Input=with_ghosts, Source=source, RefineMesh=0,
+                                      BarrierArrayName="wall")
+        compare(data(field), expected, EXACT, "a wall over the seams")
+        refined = GeodesicDistanceField(
+            Input=with_ghosts, Source=source, BarrierArrayName="wall", GenerateSourceIds=1,
+            GenerateClosestPoints=1, GenerateGradients=1)
+        check(total(sum(polys(piece) for piece in leaves(data(refined))))
+              > total(sum(polys(piece) for piece in leaves(data(with_ghosts)))), "it is refined")
+    check("ERR" not in window.GetOutput(), f"a wall over the seams: {window.GetOutput()!r}")
 
-
-def lines_over_seams():
-    """Lines of all ranks together are those of one process; they meet at seams."""
-    sphere = simple.Sphere(ThetaResolution=40, PhiResolution=30)
-    producer, cloud = point_cloud([(0.5, 0, 0.01), (-0.2, 0.4, 0.2)])
-    values = [0.1, 0.4, 0.7]
-    ours = data(simple.GeodesicContour(Input=sphere, Source=producer, Distances=values))
-    alone = vtkGeodesicContour()
-    alone.SetController(None)
-    alone.SetInputData(whole_sphere())
-    alone.SetSourceData(cloud)
-    for i, value in enumerate(values):
-        alone.SetValue(i, value)
-    alone.Update()
-
-    def lengths(lines):
-        found = dict.fromkeys(values, 0.0)
-        for i in range(lines.GetNumberOfCells()):
-            p = vtk_to_numpy(lines.GetCell(i).GetPoints().GetData())
-            value = lines.GetCellData().GetArray("GeodesicDistance").GetValue(i)
-            found[value] += np.linalg.norm(np.diff(p, axis=0), axis=1).sum()
-        return found
-    whole = lengths(alone.GetOutput())
-    for value, length in lengths(ours).items():
-        summed = total(length)
-        check(abs(summed - whole[value]) < 1e-5 * whole[value],
-              f"lines at {value} measure {summed}, not {whole[value]}")
-
-
-def paths_over_seams():
-    """Every target has its path, of the length that one process finds, on the rank it was on."""
-    sphere = simple.Sphere(ThetaResolution=40, PhiResolution=30)
-    producer, cloud = point_cloud([(0.5, 0, 0.01)])
-    targets, places = point_cloud([(-0.5, 0, 0), (0, 0.5, 0), (0.1, -0.3, 0.4), (0, 0, -0.5)])
-    ours = data(simple.GeodesicPaths(Input=sphere, Source=producer, Targets=targets))
-    alone = vtkGeodesicPaths()
-    alone.SetController(None)
-    alone.SetInputData(whole_sphere())
-    alone.SetSourceData(cloud)
-    alone.SetTargetsData(places)
-    alone.Update()
-    whole = vtk_to_numpy(alone.GetOutput().GetCellData().GetArray("GeodesicDistance"))
-    check(total(ours.GetNumberOfCells()) == 4, "there is a path for each target")
-    check(RANK == 0 or ours.GetNumberOfCells() == 0, "targets that all have are of the first rank")
-    for i in range(ours.GetNumberOfCells()):
-        target = int(ours.GetCellData().GetArray("TargetId").GetValue(i))
-        length = ours.GetCellData().GetArray("GeodesicDistance").GetValue(i)
-        check(abs(length - whole[target]) < 1e-5, f"path {target} measures {length}")
-        p = vtk_to_numpy(ours.GetCell(i).GetPoints().GetData())
-        measured = np.linalg.norm(np.diff(p, axis=0), axis=1).sum()
-        check(abs(measured - length) < 1e-12, f"path {target} is as long as it says")
+    def length(lines):
+        return sum(np.linalg.norm(np.diff(vtk_to_numpy(line.GetCell(i).GetPoints().GetData()),
+                                          axis=0), axis=1).sum()
+                   for line in lines for i in range(line.GetNumberOfCells()))
+    for proxy, filter_class, ask in (
+            (simple.GeodesicContour(Input=with_ghosts, Source=source, Distances=[0.1, 0.4, 0.7]),
+             vtkGeodesicContour, lambda f: [f.SetValue(i, 0.1 + 0.3 * i) for i in range(3)]),
+            (simple.GeodesicPaths(Input=with_ghosts, Source=source, Targets=targets),
+             vtkGeodesicPaths, lambda f: f.SetTargetsData(places))):
+        proxy.BarrierArrayName = "wall"
+        alone = filter_class()
+        alone.SetController(None)
+        alone.SetInputData(whole)
+        alone.SetSourceData(cloud)
+        alone.SetBarrierArrayName("wall")
+        ask(alone)
+        alone.Update()
+        ours, theirs = total(length(leaves(data(proxy)))), length([alone.GetOutput()])
+        check(abs(ours - theirs) < 1e-5 * theirs, f"lines measure {ours}, not {theirs}")
 
 
 def surfaces_that_are_grids():
@@ -526,25 +423,9 @@ if ranks.GetLocalProcessId() == ranks.GetNumberOfProcesses() - 1:
     check(output.GetNumberOfPoints() == 0, "and none has a field")
 
 
-def alone():
-    """A filter that is told to work alone does so on whichever rank executes it."""
-    if RANK == RANKS - 1:
-        sphere = vtkSphereSource()
-        sphere.SetEndTheta(180)
-        field = vtkGeodesicDistanceField()
-        field.SetInputConnection(sphere.GetOutputPort())
-        field.SetSourceTypeToSurfaceBoundary()
-        field.SetController(None)
-        field.Update()
-        check(field.GetOutput().GetPointData().GetArray("GeodesicDistance") is not None,
-              "alone on one rank it gives a distance")
-
-
 try:
-    for case in (real_meshes, curve_across_seams, generated_surfaces, arrays_beside_the_distance,
-                 arrays_of_refined_ghost_cells, barriers_over_seams, lines_over_seams,
-                 paths_over_seams, surfaces_that_are_grids,
-                 ghosts_and_empty_ranks, written_and_read, errors, alone):
+    for case in (real_meshes, curve_across_seams, generated_surfaces, all_filters_over_seams,
+                 surfaces_that_are_grids, ghosts_and_empty_ranks, written_and_read, errors):
         case()
         controller.Barrier()
         if RANK == 0:

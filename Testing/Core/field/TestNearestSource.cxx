@@ -12,9 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
+#include <map>
 #include <numeric>
 #include <string>
+#include <utility>
 
 using namespace geodesictest;
 using geodesic::Foot;
@@ -30,6 +31,8 @@ namespace
 constexpr std::uint64_t MeshesOfAKind = meshesOfAKind(6);
 constexpr std::size_t NumberOfQueries = 40;
 constexpr std::size_t FeetTried = 6;
+/// Brute force takes more than half of the time, and longer on large meshes.
+constexpr Index MostFaces = 150;
 /// Relative to edges of length 1.
 constexpr double RefinementTolerance = 0.02;
 
@@ -94,8 +97,8 @@ struct Solved
   std::vector<double> truth;
   double largest;
 
-  Solved(const MeshKind& kind, std::uint64_t seed, At at)
-    : plain(randomCase(kind, seed, NumberOfQueries))
+  Solved(RandomCase c, At at)
+    : plain(std::move(c))
     , mesh(engineMesh(plain.mesh))
     , curves(engineCurves(mesh, plain.curves))
     , field(solveFor(at, mesh, curves))
@@ -161,169 +164,141 @@ std::vector<std::uint64_t> seedsOf(const MeshKind& kind)
 {
   std::vector<std::uint64_t> seeds(MeshesOfAKind);
   std::iota(seeds.begin(), seeds.end(), std::uint64_t(0));
-  const std::string name = kind.name;
-  if (name == "Book" || name == "FlatBook")
+  const std::map<std::string, std::uint64_t> failed = { { "Book", 502006 }, { "FlatBook", 502006 },
+    { "WildSheet", 503009 }, { "Needles", 511006 } };
+  const auto own = failed.find(kind.name);
+  if (own != failed.end())
   {
-    seeds.push_back(502006);
-  }
-  if (name == "WildSheet")
-  {
-    seeds.push_back(503009);
-  }
-  if (name == "Needles")
-  {
-    seeds.push_back(511006);
+    seeds.push_back(own->second);
   }
   return seeds;
 }
 
-class NearestSources : public ::testing::TestWithParam<std::tuple<MeshKind, At>>
-{
-protected:
-  const MeshKind& kind() const { return kind_; }
-  At at() const { return std::get<1>(GetParam()); }
-
-private:
-  const MeshKind kind_ = std::get<0>(GetParam());
-};
-
-} // anonymous namespace
-
 // The distance from the nearest curve alone equals the field's.
-TEST_P(NearestSources, AreAsFarAsTheField)
+void expectCurvesAsFar(Solved& s, double accuracy)
 {
-  double worst = 0.0;
-  for (std::uint64_t seed = 0; seed < MeshesOfAKind; ++seed)
+  std::vector<std::vector<double>> alone;
+  for (const Polyline& curve : s.plain.curves)
   {
-    Solved s(kind(), seed, at());
-    std::vector<std::vector<double>> alone;
-    for (const Polyline& curve : s.plain.curves)
-    {
-      alone.push_back(s.distancesFrom(curve));
-    }
-    for (std::size_t i = 0; i < s.points.size(); ++i)
-    {
-      const Foot foot = s.footAt(i);
-      ASSERT_EQ(foot.isKnown(), s.truth[i] < geodesic::Infinity)
-        << kind().name << ", seed " << seed << ", point " << i;
-      if (!foot.isKnown())
-      {
-        continue;
-      }
-      const double error = std::abs(alone[foot.curve][i] - s.truth[i]) / s.largest;
-      EXPECT_LE(error, accuracyOn(kind()))
-        << kind().name << ", seed " << seed << ", point " << i << ", curve " << foot.curve;
-      worst = std::max(worst, error);
-    }
+    alone.push_back(s.distancesFrom(curve));
   }
-  std::cout << "worst relative error of the named curve on " << kind().name << ": " << worst
-            << "\n";
+  for (std::size_t i = 0; i < s.points.size(); ++i)
+  {
+    const Foot foot = s.footAt(i);
+    ASSERT_EQ(foot.isKnown(), s.truth[i] < geodesic::Infinity) << "point " << i;
+    EXPECT_TRUE(
+      !foot.isKnown() || std::abs(alone[foot.curve][i] - s.truth[i]) <= accuracy * s.largest)
+      << "point " << i << ", curve " << foot.curve;
+  }
 }
 
 // The distance from the foot alone equals the field's.
-TEST_P(NearestSources, HaveTheirFeetAsFarAsTheField)
+void expectFeetAsFar(Solved& s, double accuracy, Random& random)
 {
-  double worst = 0.0;
-  for (std::uint64_t seed = 0; seed < MeshesOfAKind; ++seed)
+  for (std::size_t n = 0; n < FeetTried; ++n)
   {
-    Solved s(kind(), seed, at());
-    Random random(seed);
-    for (std::size_t n = 0; n < FeetTried; ++n)
+    const std::size_t i = random.below(s.points.size());
+    const Foot foot = s.footAt(i);
+    if (!foot.isKnown())
     {
-      const std::size_t i = random.below(s.points.size());
-      const Foot foot = s.footAt(i);
-      if (!foot.isKnown())
-      {
-        continue;
-      }
-      const SurfacePoint at = s.nearest.pointOf(foot);
-      Sources source;
-      source.points = { plainPoint(s.mesh, at) };
-      const MeshPoint point = plainPoint(s.mesh, s.points[i]);
-      BruteForceOptions options;
-      options.maximumDistance = 1.001 * s.truth[i];
-      const double distance =
-        bruteForceDistances(s.plain.mesh, source, { point }, options).queries[0];
-      const double error = std::abs(distance - s.truth[i]) / s.largest;
-      EXPECT_LE(error, accuracyOn(kind()))
-        << kind().name << ", seed " << seed << ", point " << i << ", curve " << foot.curve << " at "
-        << foot.parameter << ", distance " << distance << ", truth " << s.truth[i];
-      worst = std::max(worst, error);
+      continue;
     }
+    Sources source;
+    source.points = { plainPoint(s.mesh, s.nearest.pointOf(foot)) };
+    BruteForceOptions options;
+    options.maximumDistance = 1.001 * s.truth[i];
+    const double distance =
+      bruteForceDistances(s.plain.mesh, source, { plainPoint(s.mesh, s.points[i]) }, options)
+        .queries[0];
+    EXPECT_LE(std::abs(distance - s.truth[i]), accuracy * s.largest)
+      << "point " << i << ", curve " << foot.curve << " at " << foot.parameter << ", distance "
+      << distance << ", truth " << s.truth[i];
   }
-  std::cout << "worst relative error of the foot on " << kind().name << ": " << worst << "\n";
 }
 
 // A short step against the gradient, in the face that the path comes through, lowers the distance
 // by the step's length.
-TEST_P(NearestSources, AreComeNearerToAgainstTheGradient)
+void expectGradientsRight(const Solved& s, double accuracy)
 {
-  double worst = 0.0;
-  for (const std::uint64_t seed : seedsOf(kind()))
+  std::vector<MeshPoint> steps;
+  std::vector<std::size_t> of;
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < s.points.size(); ++i)
   {
-    Solved s(kind(), seed, at());
-    std::vector<MeshPoint> steps;
-    std::vector<std::size_t> of;
-    std::vector<double> lengths;
-    for (std::size_t i = 0; i < s.points.size(); ++i)
+    const IncomingSegment piece = geodesic::incomingSegmentTo(s.field, s.points[i]);
+    const geodesic::Vec3 gradient = geodesic::gradientOf(s.mesh, piece);
+    const bool isOff = s.truth[i] < geodesic::Infinity && s.truth[i] > 1e-9 * s.largest;
+    if (!isOff)
     {
-      const IncomingSegment piece = geodesic::incomingSegmentTo(s.field, s.points[i]);
-      const geodesic::Vec3 gradient = geodesic::gradientOf(s.mesh, piece);
-      const bool isOff = s.truth[i] < geodesic::Infinity && s.truth[i] > 1e-9 * s.largest;
-      if (!isOff)
-      {
-        continue;
-      }
-      const double size = geodesic::norm(gradient);
-      ASSERT_NEAR(size, 1.0, 1e-14) << kind().name << ", seed " << seed << ", point " << i;
-      // The step in barycentric coordinates, by the frame of the piece.
-      const Id face = geodesic::TriangleMesh::faceOf(piece.ray.halfedge);
-      const geodesic::Barycentric at =
-        geodesic::barycentric(s.mesh, inFaceOrAtCorner(s.mesh, s.points[i], face), face);
-      const double pieceLength = geodesic::norm(piece.ray.direction);
-      const geodesic::FaceShape& shape = s.mesh.shape(face);
-      const double step = 1e-3 * std::min(shape.area2 / shape.longest(), s.truth[i]);
-      geodesic::Vec2 corners[3];
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        corners[k] =
-          geodesic::inHalfedgeFrame(s.mesh, piece.ray.halfedge, geodesic::cornerWeights(k));
-      }
-      const geodesic::Vec2 move = (-step / pieceLength) * piece.ray.direction;
-      geodesic::Barycentric change;
-      double part = 1.0; // of the step, to stay in the face
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        const geodesic::Vec2 edge = corners[(k + 2) % 3] - corners[(k + 1) % 3];
-        change[k] = geodesic::cross(edge, move) / shape.area2;
-        part = at[k] + change[k] < -1e-12 ? std::min(part, -at[k] / change[k]) : part;
-      }
-      // A point may lie a rounding beside an edge or a vertex, but a vertex has all of its step.
-      const bool isVertex = s.points[i].kind == SurfacePoint::Kind::Vertex;
-      EXPECT_GE(part, isVertex ? 1.0 - 1e-6 : 0.0)
-        << "the step leaves the face: " << kind().name << ", seed " << seed << ", point " << i;
-      geodesic::Barycentric moved;
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        moved[k] = std::max(at[k] + part * change[k], 0.0);
-      }
-      steps.push_back({ face, moved });
-      of.push_back(i);
-      lengths.push_back(part * step);
+      continue;
     }
-    const BruteForceResult truth =
-      bruteForceDistances(s.plain.mesh, toSources(s.plain.curves), steps);
-    for (std::size_t n = 0; n < of.size(); ++n)
+    const double size = geodesic::norm(gradient);
+    ASSERT_NEAR(size, 1.0, 1e-14) << "point " << i;
+    // The step in barycentric coordinates, by the frame of the piece.
+    const Id face = geodesic::TriangleMesh::faceOf(piece.ray.halfedge);
+    const geodesic::Barycentric at =
+      geodesic::barycentric(s.mesh, inFaceOrAtCorner(s.mesh, s.points[i], face), face);
+    const double pieceLength = geodesic::norm(piece.ray.direction);
+    const geodesic::FaceShape& shape = s.mesh.shape(face);
+    const double step = 1e-3 * std::min(shape.area2 / shape.longest(), s.truth[i]);
+    geodesic::Vec2 corners[3];
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      const double lowered = s.truth[of[n]] - truth.queries[n];
-      const double error = std::abs(lowered - lengths[n]) / s.largest;
-      EXPECT_LE(error, accuracyOn(kind()))
-        << kind().name << ", seed " << seed << ", point " << of[n] << ": lowered by " << lowered
-        << ", step " << lengths[n];
-      worst = std::max(worst, error);
+      corners[k] =
+        geodesic::inHalfedgeFrame(s.mesh, piece.ray.halfedge, geodesic::cornerWeights(k));
     }
+    const geodesic::Vec2 move = (-step / pieceLength) * piece.ray.direction;
+    geodesic::Barycentric change;
+    double part = 1.0; // of the step, to stay in the face
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const geodesic::Vec2 edge = corners[(k + 2) % 3] - corners[(k + 1) % 3];
+      change[k] = geodesic::cross(edge, move) / shape.area2;
+      part = at[k] + change[k] < -1e-12 ? std::min(part, -at[k] / change[k]) : part;
+    }
+    // A point may lie a rounding beside an edge or a vertex, but a vertex has all of its step.
+    const bool isVertex = s.points[i].kind == SurfacePoint::Kind::Vertex;
+    EXPECT_GE(part, isVertex ? 1.0 - 1e-6 : 0.0) << "the step leaves the face: point " << i;
+    geodesic::Barycentric moved;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      moved[k] = std::max(at[k] + part * change[k], 0.0);
+    }
+    steps.push_back({ face, moved });
+    of.push_back(i);
+    lengths.push_back(part * step);
   }
-  std::cout << "worst relative error of a step on " << kind().name << ": " << worst << "\n";
+  const BruteForceResult truth =
+    bruteForceDistances(s.plain.mesh, toSources(s.plain.curves), steps);
+  for (std::size_t n = 0; n < of.size(); ++n)
+  {
+    const double lowered = s.truth[of[n]] - truth.queries[n];
+    EXPECT_LE(std::abs(lowered - lengths[n]), accuracy * s.largest)
+      << "point " << of[n] << ": lowered by " << lowered << ", step " << lengths[n];
+  }
+}
+
+class NearestSources : public ::testing::TestWithParam<std::tuple<MeshKind, At>>
+{
+};
+
+} // anonymous namespace
+
+TEST_P(NearestSources, AreAsFarAsTheFieldInTheDirectionOfItsGradient)
+{
+  const auto& [kind, at] = GetParam();
+  for (const std::uint64_t seed : seedsOf(kind))
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const bool isOrdinary = seed < MeshesOfAKind;
+    Solved s(isOrdinary ? randomCase(kind, seed, NumberOfQueries, MostFaces)
+                        : randomCase(kind, seed, NumberOfQueries),
+      at);
+    Random random(seed);
+    expectCurvesAsFar(s, accuracyOn(kind));
+    expectFeetAsFar(s, accuracyOn(kind), random);
+    expectGradientsRight(s, accuracyOn(kind));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, NearestSources,
