@@ -24,8 +24,6 @@ struct Scene
   /// Of isolines, ascending.
   std::vector<double> values;
   double chordTolerance = 0.0;
-  /// Whether the faces have one orientation, so that isolines have sides.
-  bool hasSides = false;
   int droppingSolves = 3;
   /// Of the refinement.
   double tolerance = 0.0;

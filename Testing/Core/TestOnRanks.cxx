@@ -5,13 +5,11 @@
 #include "RanksResults.h"
 #include "contours/IsolineSupport.h"
 #include "refinement/RefinementSupport.h"
-#include "truth/MeshFiles.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <map>
 #include <set>
 #include <tuple>
@@ -91,6 +89,9 @@ struct RandomScene : Scene
   double accuracy;
   std::vector<double> atQueries;
   bool hasHoles;
+  /// Whether isolines and paths have sides: the faces have one orientation, and no curve goes back
+  /// over itself.
+  bool hasSides;
 
   /// \param withHoles takes some faces away. At a vertex where holes meet several lines may end.
   RandomScene(const MeshKind& kind, Random& random, bool withHoles = false)
@@ -101,8 +102,8 @@ struct RandomScene : Scene
     , accuracy(accuracyOn(kind))
     , atQueries(valuesOf(field, queries).queries)
     , hasHoles(withHoles)
+    , hasSides(isOriented(whole) && !goesBack(curves))
   {
-    hasSides = isOriented(whole) && !goesBack(curves);
     values = randomValues(field.vertexDistances(), largest, { 0.01, 0.3, 0.8 }, random);
     chordTolerance = 1e-4 * largest;
     tolerance = largest * random.uniform(0.005, 0.02);
@@ -251,7 +252,7 @@ public:
           distance, scene.values[line.value], this->scene_.accuracy * this->scene_.largest);
       }
     }
-    if (scene.hasSides && !this->areSidesOpen_)
+    if (this->scene_.hasSides && !this->areSidesOpen_)
     {
       const std::vector<PlainLine> leftLines = linesOnRanks(cut, scene, true);
       for (std::size_t value = 0; value < scene.values.size(); ++value)

@@ -8,6 +8,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMPIController.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -174,6 +175,250 @@ inline vtkSmartPointer<vtkPolyData> PartWithGhosts(
     }
   }
   return PartWithGhosts(surface, faces, own, hasGlobalIds);
+}
+
+/// Each face goes to the nearest of some points of the surface, one a rank.
+inline Cut InSpace(vtkPolyData* surface, int count)
+{
+  std::vector<Point> middles;
+  for (int i = 0; i < count; ++i)
+  {
+    middles.push_back(Centre(surface, (2 * i + 1) * surface->GetNumberOfPolys() / (2 * count)));
+  }
+  return [surface, middles](vtkIdType face)
+  {
+    const Point centre = Centre(surface, face);
+    const auto squared = [&centre](const Point& p)
+    {
+      return (p[0] - centre[0]) * (p[0] - centre[0]) + (p[1] - centre[1]) * (p[1] - centre[1]) +
+        (p[2] - centre[2]) * (p[2] - centre[2]);
+    };
+    const auto nearest = std::min_element(middles.begin(), middles.end(),
+      [&](const Point& a, const Point& b) { return squared(a) < squared(b); });
+    return static_cast<int>(nearest - middles.begin());
+  };
+}
+
+/// What is asked of the filter.
+struct Question
+{
+  std::string Name;
+  vtkSmartPointer<vtkPolyData> Source;
+  int SourceType = vtkGeodesicDistanceField::SOURCE_CURVE;
+  double MaximumDistance = 0.0;
+  bool IsApproximate = false;
+  /// Whether the surface has them, so that there is a signed distance.
+  bool HasSides = true;
+};
+
+/// Sources of all kinds in the unit square, beside IsInWall().
+inline std::vector<Question> Questions()
+{
+  Question point{ "a point", PointSources({ { 0.3, 0.4, 0.0 } }) };
+  Question points{ "points", PointSources({ { 0.1, 0.1, 0 }, { 0.9, 0.2, 0 }, { 0.5, 0.9, 0 } }) };
+  Question curve{ "a curve through all", Polyline({ { 0.05, 0.3, 0 }, { 0.95, 0.6, 0 } }) };
+  Question loop{ "a loop", Polyline({ { 0.3, 0.3, 0 }, { 0.7, 0.35, 0 }, { 0.5, 0.8, 0 } }, true) };
+  Question boundary{ "the boundary", nullptr, vtkGeodesicDistanceField::SURFACE_BOUNDARY };
+  Question both = point;
+  both.Name = "a point and the boundary";
+  both.SourceType = vtkGeodesicDistanceField::CURVE_AND_BOUNDARY;
+  Question limited = point;
+  limited.Name = "a point within a limit";
+  limited.MaximumDistance = 0.3;
+  Question approximate = curve;
+  approximate.Name = "a curve, approximately";
+  approximate.IsApproximate = true;
+  return { point, points, curve, loop, boundary, both, limited, approximate };
+}
+
+/// Asks for the distance and all arrays beside it. A surface may have barriers.
+inline void Ask(
+  vtkGeodesicDistanceField* filter, const Question& question, bool hasBarriers = false)
+{
+  filter->RefineMeshOff();
+  filter->SetBarrierArrayName(hasBarriers ? "barrier" : nullptr);
+  filter->SetSourceData(question.Source);
+  filter->SetSourceType(question.SourceType);
+  filter->SetMaximumDistance(question.MaximumDistance);
+  filter->SetAccuracy(question.IsApproximate ? vtkGeodesicDistanceField::APPROXIMATE
+                                             : vtkGeodesicDistanceField::EXACT);
+  filter->SetRelativeError(0.01);
+  filter->GenerateSourceIdsOn();
+  filter->GenerateClosestPointsOn();
+  filter->GenerateGradientsOn();
+  filter->GenerateSourceArcLengthOn();
+  filter->SetGenerateSignedDistance(question.HasSides);
+  filter->SetGenerateTextureCoordinates(question.HasSides);
+}
+
+inline bool HasBarriers(vtkPolyData* surface)
+{
+  return surface->GetCellData()->HasArray("barrier") != 0;
+}
+
+/// The length of each line of a data set, and of all.
+inline double LengthOf(vtkPolyData* data, vtkIdList* line)
+{
+  double length = 0.0;
+  for (vtkIdType i = 1; i < line->GetNumberOfIds(); ++i)
+  {
+    Point a;
+    Point b;
+    data->GetPoint(line->GetId(i - 1), a.data());
+    data->GetPoint(line->GetId(i), b.data());
+    length += DistanceToSegment(a, b, b);
+  }
+  return length;
+}
+
+inline double TotalLength(vtkPolyData* data)
+{
+  double length = 0.0;
+  for (vtkIdType i = 0; i < data->GetNumberOfLines(); ++i)
+  {
+    vtkNew<vtkIdList> ids;
+    data->GetLines()->GetCellAtId(i, ids);
+    length += LengthOf(data, ids);
+  }
+  return length;
+}
+
+/// What one process finds on a surface, by place.
+class Whole
+{
+public:
+  Whole(vtkPolyData* surface, const Question& question)
+  {
+    this->Filter->SetController(nullptr);
+    this->Filter->SetInputData(surface);
+    Ask(this->Filter, question, HasBarriers(surface));
+    Messages messages(this->Filter);
+    messages.Update();
+    this->Warning = messages.Warning();
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      Point p;
+      surface->GetPoint(i, p.data());
+      this->NumberAt[p] = i;
+      const double distance = this->DistanceAt(p);
+      this->Largest = std::isfinite(distance) ? std::max(this->Largest, distance) : this->Largest;
+    }
+  }
+
+  double DistanceAt(const Point& p) const
+  {
+    return Distances(this->Filter)->GetTuple1(this->NumberAt.at(p));
+  }
+
+  vtkNew<vtkGeodesicDistanceField> Filter;
+  std::map<Point, vtkIdType> NumberAt;
+  double Largest = 0.0;
+  std::string Warning;
+};
+
+/// Compares arrays at the points of a rank's output.
+inline void CompareArrays(Check& check, vtkPolyData* output, const Whole& whole,
+  const std::vector<std::pair<std::string, double>>& arraysAndTolerances, const std::string& what)
+{
+  for (const auto& [name, tolerance] : arraysAndTolerances)
+  {
+    vtkDataArray* actual = output->GetPointData()->GetArray(name.c_str());
+    vtkDataArray* expected = whole.Filter->GetOutput()->GetPointData()->GetArray(name.c_str());
+    if (!actual || !expected || actual->GetNumberOfTuples() != output->GetNumberOfPoints())
+    {
+      check.That(false, what + ": no " + name + " at every point");
+      continue;
+    }
+    double worst = 0.0;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      Point p;
+      output->GetPoint(i, p.data());
+      const auto at = whole.NumberAt.find(p);
+      check.That(at != whole.NumberAt.end(), what + ": a point that the surface does not have");
+      for (int k = 0; at != whole.NumberAt.end() && k < actual->GetNumberOfComponents(); ++k)
+      {
+        const double a = actual->GetComponent(i, k);
+        const double b = expected->GetComponent(at->second, k);
+        const double error = a == b ? 0.0 : std::abs(a - b);
+        worst = std::isnan(worst) || error <= worst ? worst : error;
+      }
+    }
+    check.That(worst <= tolerance * std::max(1.0, whole.Largest),
+      what + ": " + name + " is wrong by " + std::to_string(worst));
+  }
+}
+
+inline void CompareDistances(
+  Check& check, vtkPolyData* output, const Whole& whole, const std::string& what)
+{
+  CompareArrays(check, output, whole, { { "GeodesicDistance", 1e-12 } }, what);
+}
+
+/// Runs the filter with this rank's piece and compares with the surface in one process.
+inline void Compare(Check& check, vtkDataObject* piece, vtkPolyData* surface,
+  const Question& question, const std::string& name)
+{
+  const std::string what = name + ", " + question.Name;
+  const Whole whole(surface, question);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputDataObject(piece);
+  Ask(filter, question, HasBarriers(surface));
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Error().empty() && (messages.Warning().empty() || !whole.Warning.empty()),
+    what + ": " + messages.Error() + messages.Warning());
+  std::vector<std::pair<std::string, double>> arrays = { { "GeodesicDistance",
+    question.IsApproximate ? 0.02 : 1e-12 } };
+  if (!question.IsApproximate && question.HasSides)
+  {
+    // Directions are known to the roots of roundings of distances at best.
+    arrays.insert(arrays.end(),
+      { { "SourceId", 0.0 }, { "ClosestSourcePoint", 1e-12 }, { "DistanceGradient", 1e-6 },
+        { "SignedGeodesicDistance", 1e-12 } });
+    // Where a loop of the boundary begins depends on the order of the faces.
+    if (question.SourceType == vtkGeodesicDistanceField::SOURCE_CURVE)
+    {
+      arrays.insert(
+        arrays.end(), { { "SourceArcLength", 1e-12 }, { "SourceTextureCoordinates", 1e-11 } });
+    }
+  }
+  if (auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0)))
+  {
+    auto* input = vtkPolyData::SafeDownCast(piece);
+    check.That(output->GetNumberOfPoints() == input->GetNumberOfPoints() &&
+        output->GetNumberOfPolys() == input->GetNumberOfPolys(),
+      what + ": the output is the rank's own piece");
+    CompareArrays(check, output, whole, arrays, what);
+  }
+  else
+  {
+    auto* blocks = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+    {
+      CompareArrays(check, vtkPolyData::SafeDownCast(blocks->GetBlock(i)), whole, arrays, what);
+    }
+  }
+  const auto near = [&](double actual, double expected, double tolerance, const std::string& of)
+  {
+    check.That(std::abs(actual - expected) <= tolerance,
+      what + ": " + of + " is " + std::to_string(actual) + " instead of " +
+        std::to_string(expected));
+  };
+  near(filter->GetSourceSnapDistance(), whole.Filter->GetSourceSnapDistance(), 1e-12,
+    "the source's distance from the surface");
+  near(filter->GetSourceLength(), whole.Filter->GetSourceLength(), 1e-12 * whole.Largest,
+    "the source's length");
+  // A rank that works for others puts it out, too.
+  const double length = TotalLength(filter->GetOutput(1));
+  double longest = 0.0;
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    &length, &longest, 1, vtkCommunicator::MAX_OP);
+  near(longest, TotalLength(whole.Filter->GetOutput(1)), 1e-12, "the source on the surface");
+  near(length, length > 0.0 ? longest : 0.0, 1e-12, "the source on the surface");
+  const double windows = whole.Filter->GetWindowsPropagatedPerEdge();
+  near(filter->GetWindowsPropagatedPerEdge(), windows,
+    question.IsApproximate ? windows : 0.05 * windows, "the number of windows an edge");
 }
 
 /// Runs a test under MPI: tests(Check&, Ranks) on every rank. It fails on all where it does on one.

@@ -26,21 +26,6 @@ vtkSmartPointer<vtkPolyData> Section(vtkPolyData* surface, const Point& normal, 
   return slice->GetOutput();
 }
 
-double LengthOf(vtkPolyData* data)
-{
-  const std::vector<Point> places = PlacesOf(data);
-  double length = 0.0;
-  for (const std::vector<vtkIdType>& ids : CellsOf(data->GetLines()))
-  {
-    for (std::size_t i = 1; i < ids.size(); ++i)
-    {
-      const Point& q = places[static_cast<std::size_t>(ids[i])];
-      length += DistanceToSegment(places[static_cast<std::size_t>(ids[i - 1])], q, q);
-    }
-  }
-  return length;
-}
-
 /// The lines of this rank: those of its piece, or one of many that were dealt out.
 vtkSmartPointer<vtkPolyData> Dealt(vtkPolyData* lines, Ranks ranks)
 {
@@ -81,10 +66,10 @@ void CheckLoop(Check& check, Ranks ranks, vtkPolyData* sphere, const Cut& cut, b
     vtkPolyData* curves = OutputOf(filter, 1);
     check.Equal(static_cast<double>(curves->GetNumberOfLines()), 1.0, name + ": curves");
     check.Equal(static_cast<double>(curves->GetNumberOfVerts()), 0.0, name + ": points");
-    check.That(std::abs(LengthOf(curves) - LengthOf(whole)) < 1e-12, name + ": its length");
+    check.That(std::abs(TotalLength(curves) - TotalLength(whole)) < 1e-12, name + ": its length");
     check.Equal(curves->GetCellData()->GetArray("SourceId")->GetTuple1(0), 0.0, name + ": its id");
     check.That(
-      curves->GetPointData()->GetArray("SourceArcLength")->GetRange()[1] > 0.9 * LengthOf(whole),
+      curves->GetPointData()->GetArray("SourceArcLength")->GetRange()[1] > 0.9 * TotalLength(whole),
       name + ": arc lengths along all of it");
   }
   vtkPointData* values = filter->GetOutput()->GetPointData();

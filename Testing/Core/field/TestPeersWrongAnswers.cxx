@@ -150,56 +150,6 @@ TEST(PeersWrongAnswers, MirrorImagesOnAnOctasphereHaveOneDistance)
   }
 }
 
-TEST(PeersWrongAnswers, ABowTieConducts)
-{
-  const PlainMesh a = regularGrid(5, 5);
-  const PlainMesh mesh = joinedAtVertex(a, 14, a, 7);
-  const std::vector<double> distances = vertexDistances(mesh, 0);
-  const std::vector<double> inFirst = straightDistances(mesh, 0);
-  const std::vector<double> fromKnot = straightDistances(mesh, 14);
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-  {
-    const bool first = v < a.points.size();
-    EXPECT_NEAR(distances[v], first ? inFirst[v] : inFirst[14] + fromKnot[v], 1e-12)
-      << "vertex " << v;
-  }
-}
-
-TEST(PeersWrongAnswers, DistanceGoesAroundBoundaryVertices)
-{
-  const PlainMesh mesh = lShape(12, 12);
-  for (Index source : { 0u, 12u, static_cast<Index>(mesh.points.size() - 1) })
-  {
-    const Vec2 s = { mesh.points[source][0], mesh.points[source][1] };
-    std::vector<Vec2> targets;
-    for (const Vec3& p : mesh.points)
-    {
-      targets.push_back({ p[0], p[1] });
-    }
-    expectNear(vertexDistances(mesh, source), planarDomain(mesh).distances(s, s, targets),
-      "from vertex " + std::to_string(source));
-  }
-}
-
-TEST(PeersWrongAnswers, ANonManifoldEdgeConductsIntoEveryFace)
-{
-  // Three squares on one edge.
-  PlainMesh mesh;
-  mesh.points = { { 0, 0, 0 }, { 0, 0, 1 } };
-  for (double angle : { 0.3, 2.0, 4.5 })
-  {
-    const Index first = static_cast<Index>(mesh.points.size());
-    mesh.points.push_back({ std::cos(angle), std::sin(angle), 0.0 });
-    mesh.points.push_back({ std::cos(angle), std::sin(angle), 1.0 });
-    mesh.triangles.push_back({ 0, 1, first });
-    mesh.triangles.push_back({ 1, first, first + 1 });
-  }
-  const std::vector<double> distances = vertexDistances(mesh, 2);
-  const std::vector<double> truth = { 1.0, std::sqrt(2.0), 0.0, 1.0, 2.0, std::sqrt(5.0), 2.0,
-    std::sqrt(5.0) };
-  expectNear(distances, truth, "three pages");
-}
-
 TEST(PeersWrongAnswers, APolylineAcrossANonManifoldEdgeIsExactOnEveryPage)
 {
   // Straight from page 0 to page 1: for page 2 it bends at the spine.
