@@ -326,9 +326,12 @@ void FoundPath::take(const geodesic::PathToSource& path)
 {
   EXPECT_TRUE(this->points.empty()) << "a path was handed over twice";
   this->points = path.points;
-  for (const geodesic::SurfacePoint& point : path.points)
+  for (std::size_t i = 0; i < path.points.size(); ++i)
   {
-    this->places.push_back(geodesic::position(path.mesh, point));
+    this->places.push_back(geodesic::position(path.mesh, path.points[i]));
+    EXPECT_TRUE(i == 0 ||
+      geodesic::commonFace(path.mesh, path.points[i - 1], path.points[i]) != geodesic::NoId)
+      << "points " << i - 1 << " and " << i << " of a path have no face in common";
   }
   this->source = path.end.source;
   this->wasLost = path.wasLost;

@@ -4,6 +4,7 @@
 // show.
 #include "RanksResults.h"
 #include "contours/IsolineSupport.h"
+#include "paths/PathChecker.h"
 #include "refinement/RefinementSupport.h"
 
 #include <gtest/gtest.h>
@@ -329,7 +330,10 @@ private:
     EXPECT_LE(
       spaceDistance(path.places.front(), position(this->scene_.mesh, this->scene_.queries[i])),
       slack);
-    // That it ends on the curve that it names shows the one process's, where it is the same.
+    ASSERT_LT(path.source, this->scene_.curves.size());
+    EXPECT_LE(distanceInSpace(this->scene_.mesh, path.places.back(),
+                toSources({ this->scene_.curves[path.source] })),
+      slack);
     const FoundPath& one = this->paths_[i];
     bool isSame = one.source == path.source && one.places.size() == path.places.size();
     for (std::size_t k = 0; k < one.places.size() && isSame; ++k)
