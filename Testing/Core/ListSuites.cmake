@@ -5,6 +5,7 @@
 cmake_policy(VERSION 3.18)
 
 # The slowest first: nothing is left to wait for at the end.
+set(cost_of_RefinementOnRanks 60)
 set(cost_of_NearestSources 50)
 set(cost_of_FrontOnRanks 40)
 set(cost_of_Parallel 30)
