@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds everything against ParaView and its VTK (engine, filter, plugin, Python, GUI) and runs the
-# tests with CTest, in build-testing/paraview:
+# tests with CTest, in build, which Examples/run.sh uses, too:
 #
 #   bash Testing/run.sh [ARGUMENTS]         arguments go to CTest: -R NAME, -j N, ...
 #   bash Testing/run.sh --all [ARGUMENTS]   these, four more builds in build-testing/, and a test debian-13:
@@ -31,14 +31,18 @@ install_missing "${build_packages[@]}" libgtest-dev openmpi-bin libglew-dev libg
   libfreetype-dev libpng-dev libtiff-dev libjpeg-dev doxygen dpkg-dev file lintian mricron-data \
   "${test_packages[@]}" ${all:+"${plain_vtk_packages[@]}"}
 
-# Configures and builds into build-testing/NAME.
+# Configures and builds into a folder; its tests are CTest's.
+suites=()
 build()
 {
-  local name=$1
+  local folder=$1
   shift
-  printf '\n== Building %s ==\n' "$name"
-  cmake -S "$top" -B "$builds/$name" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 "$@"
-  cmake --build "$builds/$name"
+  printf '\n== Building %s ==\n' "$(basename "$folder")"
+  local generator=(-G Ninja)
+  [ ! -f "$folder/CMakeCache.txt" ] || generator=() # somebody's own choice
+  cmake -S "$top" -B "$folder" "${generator[@]}" -DPython3_EXECUTABLE=/usr/bin/python3 "$@"
+  cmake --build "$folder"
+  suites+=("$folder")
 }
 
 # Adds a test to CTest that is skipped for a reason.
@@ -55,8 +59,8 @@ vtk=
 [ -z "$all" ] || vtk=$(find_vtk "$builds/vtk-$plain_vtk")
 unset VTK_DIR
 
-build paraview
-suites="paraview"
+# Examples/run.sh switches these off.
+build "$top/build" -UGEODESIC_BUILD_TESTING -UGEODESIC_BUILD_BENCHMARKS
 v3=
 if [ -n "$all" ] && echo | "${CXX:-c++}" -march=x86-64-v3 -x c++ -fsyntax-only - 2> /dev/null &&
   /lib64/ld-linux-x86-64.so.2 --help | grep -q 'x86-64-v3 (supported'; then
@@ -67,25 +71,22 @@ if [ -n "$all" ]; then
   # the lines that a report names. So little that GCC fuses nothing without -fexpensive-optimizations.
   sanitized=(-DGEODESIC_CORE_ONLY=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
     "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1 -DNDEBUG")
-  build sanitize "${sanitized[@]}" "${strict[@]}" -DGEODESIC_SANITIZE=address,undefined \
+  build "$builds/sanitize" "${sanitized[@]}" "${strict[@]}" -DGEODESIC_SANITIZE=address,undefined \
     "-DCMAKE_CXX_FLAGS=$v3 -fexpensive-optimizations"
-  build threads "${sanitized[@]}" -DGEODESIC_SANITIZE=thread
-  suites+=" sanitize threads"
+  build "$builds/threads" "${sanitized[@]}" -DGEODESIC_SANITIZE=thread
 fi
 if [ -n "$v3" ]; then
-  build v3 -DGEODESIC_CORE_ONLY=ON "-DCMAKE_CXX_FLAGS=$v3 -ffast-math" \
+  build "$builds/v3" -DGEODESIC_CORE_ONLY=ON "-DCMAKE_CXX_FLAGS=$v3 -ffast-math" \
     "-DGEODESIC_TEST_FILES=TestShortestPath|TestFacePropagation|TestTrigonometry"
-  suites+=" v3"
 fi
 if [ -n "$vtk" ]; then
   # The first build tests the same engine, and measures.
-  build vtk "${strict[@]}" -DVTK_DIR="$vtk" -DGEODESIC_TEST_CORE=OFF "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
-  suites+=" vtk"
+  build "$builds/vtk" "${strict[@]}" -DVTK_DIR="$vtk" -DGEODESIC_TEST_CORE=OFF "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
 fi
 
 # One CTest run over all builds, so that its closing line speaks for all.
 {
-  echo "subdirs($suites)"
+  printf 'subdirs("%s")\n' "${suites[@]}"
   if [ -n "$all" ] && [ "$release" != 13 ]; then
     # By itself, as its own tests use all processors.
     echo "add_test(debian-13 bash \"$top/Testing/debian.sh\" 13 first second)"
@@ -96,7 +97,7 @@ fi
   fi
   if [ -n "$v3" ]; then
     echo 'add_test(same-bits-with-fused-multiply-add sh -c
-      "paraview/bin/geodesicBits > bits && v3/bin/geodesicBits > bits-v3 && diff bits bits-v3")'
+      "../build/bin/geodesicBits > bits && v3/bin/geodesicBits > bits-v3 && diff bits bits-v3")'
   elif [ -n "$all" ]; then
     skip same-bits-with-fused-multiply-add "this processor or compiler has no x86-64-v3: that build was not tested."
   fi
@@ -105,9 +106,9 @@ fi
 # The same names come from more than one build: tell which numbers are whose.
 printf '\n== Testing ==\n'
 first=1
-for suite in $suites; do
-  count=$(ctest --test-dir "$builds/$suite" -N | sed -n 's/^Total Tests: //p')
-  echo "$suite: tests $first to $((first + count - 1))"
+for suite in "${suites[@]}"; do
+  count=$(ctest --test-dir "$suite" -N | sed -n 's/^Total Tests: //p')
+  echo "$(basename "$suite"): tests $first to $((first + count - 1))"
   first=$((first + count))
 done
 log=$builds/Testing/Temporary/LastTest.log

@@ -39,7 +39,7 @@ inline const char* const FarNote = "far";
 
 /// What the user should know of an execution whose result is right: that something was left out,
 /// is not as asked for, or looks like a mistake. What every data set may have and what has no
-/// effect (polygons, strips, unused points, faces that repeat another or have no area, points that
+/// effect (polygons, strips, unused points, faces that repeat another or lie on a line, points that
 /// repeat the one before) is no note.
 struct Notes
 {

@@ -6,8 +6,8 @@ cmake_policy(VERSION 3.18)
 
 # The slowest first: nothing is left to wait for at the end.
 set(cost_of_Parallel 30)
+set(cost_of_OnRanks 25)
 set(cost_of_NearestSources 20)
-set(cost_of_OnRanks 20)
 set(cost_of_ParallelFront 20)
 
 execute_process(

@@ -29,7 +29,7 @@ struct GradientSlack
   double above;
 };
 
-/// \param shape of a face with area.
+/// \param shape of a face.
 /// \param d distances at its corners.
 GradientSlack slackOf(const FaceShape& shape, const std::array<double, 3>& d);
 
@@ -39,7 +39,7 @@ struct TriangleMetric
   double e1e1;
   double e1e2;
   double e2e2;
-  /// Twice the area, positive.
+  /// cross(e1, e2), positive.
   double area2;
   double longestEdge;
 };

@@ -124,7 +124,7 @@ ErrorInside TriangleError::above(
   const Vec2 e2 = piece.corners[2] - piece.corners[0];
   const Vec2 e3 = e2 - e1;
   const double area2 = cross(e1, e2);
-  // In a triangle without area each inner point is also a point of an edge.
+  // A triangle whose corners lie on a line consists of its edges.
   if (!(area2 > 0.0))
   {
     return { onEdges, onEdges };
