@@ -36,8 +36,8 @@ struct VertexState
   Id arrivalHalfedge = NoId;
   /// The first list on the halfedges opposite it.
   Id facing = NoId;
-  /// Its slot in its district's schedule; NoId if it does not wait.
-  Id slot = NoId;
+  /// Its slot in the heap of its district's schedule, if it waits there.
+  Id slot = 0;
   /// How much farther the other vertices of its batch may be.
   float batchWidth = 0.0F;
   /// Whether it emits windows: a saddle vertex into its shadow, an irregular one everywhere.
@@ -45,14 +45,22 @@ struct VertexState
   /// How often it was processed, up to the largest number.
   std::uint8_t timesProcessed = 0;
   bool hasThinFaces = false;
+  /// Whether it waits in its district's schedule: ahead of the front in the heap, or behind it.
+  enum class Waits : std::uint8_t
+  {
+    No,
+    InHeap,
+    Behind
+  };
+  Waits waits = Waits::No;
   /// Within an error: whether its lists have passed, so that it settles in its next batch.
   bool hasPassed = false;
 
   Arrival arrival() const { return { this->arrivalHalfedge, {}, this->arrivalX }; }
   /// Whether windows may come again and again to halfedges opposite it. On scans hardly any vertex
   /// is processed more often.
-  bool isBusy() const { return this->hasThinFaces || this->timesProcessed >= UsualTimes; }
-  static constexpr std::uint8_t UsualTimes = 4;
+  bool isBusy() const { return this->hasThinFaces || this->isProcessedOften(); }
+  bool isProcessedOften() const { return this->timesProcessed >= 4; }
   void countProcessing()
   {
     if (this->timesProcessed < std::numeric_limits<std::uint8_t>::max())
