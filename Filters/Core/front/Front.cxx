@@ -285,13 +285,18 @@ private:
   bool isWithin(Id vertex, double distance)
   {
     const VertexState& state = this->vertices()[vertex];
-    const WaitingLists& lists = this->front_.districtOf(vertex).lists;
-    bool isWithin = this->vertices().isShorter(state) && state.distance <= distance;
-    for (Id list = state.facing; list != NoId && !isWithin; list = lists[list].next)
+    if (this->vertices().isShorter(state) && state.distance <= distance)
     {
-      isWithin = leastDistance(lists[list].windows.range()) <= distance;
+      return true;
     }
-    return isWithin;
+    if (state.facing == NoId)
+    {
+      return false;
+    }
+    const WaitingLists::Group& facing = this->front_.districtOf(vertex).lists[state.facing];
+    return std::any_of(facing.begin(), facing.end(),
+      [distance](const WaitingLists::List& list)
+      { return leastDistance(list.windows.range()) <= distance; });
   }
 
   // A face that contains a point within the limit has exact values when no waiting window and no

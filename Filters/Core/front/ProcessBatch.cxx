@@ -292,13 +292,13 @@ void processVertex(FrontContext& front, FrontWorker& worker, District& district,
   }
 }
 
-// Fetches the face of the first list that waits for vertex i of the batch, if there is one.
+// Fetches the face of the first list that passes for vertex i of the batch, if there is one.
 void prefetchFacing(const FrontContext& front, const District& district, std::size_t i)
 {
-  const Id list = i < district.batch.size() ? front.vertices[district.batch[i]].facing : NoId;
-  if (list != NoId)
+  const Id group = i < district.batch.size() ? front.vertices[district.batch[i]].facing : NoId;
+  if (group != NoId)
   {
-    front.mesh.prefetch(TriangleMesh::faceOf(district.lists[list].halfedge));
+    front.mesh.prefetch(TriangleMesh::faceOf(district.lists[group].back().halfedge));
   }
 }
 

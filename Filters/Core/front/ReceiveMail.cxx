@@ -49,20 +49,19 @@ void receiveList(FrontContext& front, FrontWorker& worker, District& district, H
   worker.look(front.options.job, sent.windows.size);
   const bool isThin = state.hasThinFaces && front.isInThinFace(sent.halfedge);
   double due = isThin ? leastDistance(sent.windows.range()) : state.distance;
-  Id waiting = district.lists.find(state.facing, sent.halfedge);
-  if (waiting != NoId)
+  WaitingLists::List* waiting = district.lists.find(state.facing, sent.halfedge);
+  if (waiting != nullptr)
   {
-    mergeInto(front, worker, district.lists[waiting], sent.windows);
+    mergeInto(front, worker, *waiting, sent.windows);
   }
   else
   {
-    district.lists.add(state.facing, sent);
-    waiting = state.facing;
+    waiting = &district.lists.add(state.facing, sent);
   }
   if (isThin)
   {
-    due = std::min(due, district.lists[waiting].due);
-    district.lists[waiting].due = due;
+    due = std::min(due, waiting->due);
+    waiting->due = due;
   }
   district.schedule.add(apex, due);
 }

@@ -4,81 +4,88 @@
 
 #include "window/WindowPool.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace geodesic
 {
 
-/// The lists that wait on halfedges, at most one on each. The lists of the halfedges opposite one
-/// vertex form a chain; the vertex has the number of the first (VertexState::facing). Few lists
-/// wait for a vertex at once, so a halfedge's list is found by a search of the chain.
+/// The lists that wait on halfedges, at most one on each. Those on the halfedges opposite one
+/// vertex form a group, whose number the vertex has (VertexState::facing); a vertex without lists
+/// has NoId. Few lists wait for a vertex at once, and they are side by side in memory, so a search
+/// of its group finds a halfedge's list.
 class WaitingLists
 {
 public:
-  /// In an order of members that leaves no gaps: there are very many.
   struct List
   {
+    Id halfedge;
     WindowBlock windows;
-    /// NoId in a place that is not used.
-    Id halfedge = NoId;
-    /// The next one of the chain.
-    Id next = NoId;
     /// The distance at which the list passes, whether or not the front has reached its vertex;
     /// infinite if the list waits for the vertex.
     double due = Infinity;
   };
+  using Group = std::vector<List>;
 
-  List& operator[](Id list) { return this->lists_[list]; }
-  const List& operator[](Id list) const { return this->lists_[list]; }
+  /// The lists of a group, which there is, the newest last.
+  const Group& operator[](Id group) const { return this->groups_[group]; }
 
-  /// The number of a halfedge's list in a chain; NoId if there is none.
-  Id find(Id first, Id halfedge) const
+  /// A halfedge's list in the group of the vertex opposite; null if there is none.
+  List* find(Id group, Id halfedge)
   {
-    Id list = first;
-    while (list != NoId && this->lists_[list].halfedge != halfedge)
+    if (group != NoId)
     {
-      list = this->lists_[list].next;
+      for (List& list : this->groups_[group])
+      {
+        if (list.halfedge == halfedge)
+        {
+          return &list;
+        }
+      }
     }
-    return list;
+    return nullptr;
   }
 
-  /// Puts a list in front of a chain that has none of its halfedge.
-  void add(Id& first, const HalfedgeList& added)
+  /// Adds a list to a group that has none of its halfedge.
+  List& add(Id& group, const HalfedgeList& added)
   {
-    if (this->unused_ == NoId)
+    if (group == NoId)
     {
-      this->unused_ = static_cast<Id>(this->lists_.size());
-      this->lists_.emplace_back();
+      group = this->takeUnused();
     }
-    const Id list = this->unused_;
-    this->unused_ = this->lists_[list].next;
-    this->lists_[list] = { added.windows, added.halfedge, first };
-    first = list;
+    Group& lists = this->groups_[group];
+    lists.push_back({ added.halfedge, added.windows });
+    return lists.back();
   }
 
-  /// Takes lists out of a chain. Their blocks now belong to the caller.
+  /// Takes lists out of a group, which there may be. Their blocks now belong to the caller.
   ///
-  /// \param isTaken (const List&) -> bool, asked in the order of the chain.
-  /// \param taken replaced, in this order.
+  /// \param isTaken (const List&) -> bool.
+  /// \param taken replaced; the newest first.
   template <typename IsTaken>
-  void take(Id& first, const IsTaken& isTaken, std::vector<HalfedgeList>& taken)
+  void take(Id& group, const IsTaken& isTaken, std::vector<HalfedgeList>& taken)
   {
     taken.clear();
-    Id* link = &first;
-    while (*link != NoId)
+    if (group == NoId)
     {
-      const Id number = *link;
-      List& list = this->lists_[number];
-      if (!isTaken(list))
+      return;
+    }
+    Group& lists = this->groups_[group];
+    const auto takes = [&](const List& list)
+    {
+      const bool isOne = isTaken(list);
+      if (isOne)
       {
-        link = &list.next;
-        continue;
+        taken.push_back({ list.halfedge, list.windows });
       }
-      taken.push_back({ list.halfedge, list.windows });
-      *link = list.next;
-      list.halfedge = NoId;
-      list.next = this->unused_;
-      this->unused_ = number;
+      return isOne;
+    };
+    lists.erase(std::remove_if(lists.begin(), lists.end(), takes), lists.end());
+    std::reverse(taken.begin(), taken.end());
+    if (lists.empty())
+    {
+      this->unused_.push_back(group);
+      group = NoId;
     }
   }
 
@@ -86,19 +93,28 @@ public:
   template <typename Visit>
   void forEach(Visit&& visit) const
   {
-    for (const List& list : this->lists_)
+    for (const Group& lists : this->groups_)
     {
-      if (list.halfedge != NoId)
-      {
-        visit(list);
-      }
+      std::for_each(lists.begin(), lists.end(), visit);
     }
   }
 
 private:
-  std::vector<List> lists_;
-  /// The places that are not used, chained.
-  Id unused_ = NoId;
+  Id takeUnused()
+  {
+    if (this->unused_.empty())
+    {
+      this->groups_.emplace_back();
+      return static_cast<Id>(this->groups_.size()) - 1;
+    }
+    const Id group = this->unused_.back();
+    this->unused_.pop_back();
+    return group;
+  }
+
+  std::vector<Group> groups_;
+  /// The numbers of empty groups.
+  std::vector<Id> unused_;
 };
 
 }
