@@ -285,18 +285,11 @@ private:
   bool isWithin(Id vertex, double distance)
   {
     const VertexState& state = this->vertices()[vertex];
-    if (this->vertices().isShorter(state) && state.distance <= distance)
-    {
-      return true;
-    }
-    if (state.facing == NoId)
-    {
-      return false;
-    }
-    const WaitingLists::Group& facing = this->front_.districtOf(vertex).lists[state.facing];
-    return std::any_of(facing.begin(), facing.end(),
-      [distance](const WaitingLists::List& list)
-      { return leastDistance(list.windows.range()) <= distance; });
+    const WaitingLists& lists = this->front_.districtOf(vertex).lists;
+    return (this->vertices().isShorter(state) && state.distance <= distance) ||
+      lists.isAny(state.facing,
+        [distance](const WaitingLists::List& list)
+        { return leastDistance(list.windows.range()) <= distance; });
   }
 
   // A face that contains a point within the limit has exact values when no waiting window and no

@@ -7,6 +7,7 @@
 #include "window/WindowMerge.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace geodesic
 {
@@ -190,8 +191,8 @@ void remember(FrontContext& front, FrontWorker& worker, District& district, Id h
     canGainOn(front, district, halfedge))
   {
     const auto isNeeded = [&](Id other) { return canGainOn(front, district, other); };
-    district.passed.add(
-      halfedge, front.mesh.length(halfedge), passed, worker.merged, worker.pool, isNeeded);
+    district.passed.add(halfedge, front.mesh.length(halfedge), passed, worker.merged, worker.pool,
+      std::cref(isNeeded));
   }
 }
 

@@ -52,6 +52,7 @@ public:
     }
     else if (state.waits == VertexState::Waits::No && key > this->key_)
     {
+      this->states_[vertex].waits = VertexState::Waits::InHeap;
       this->heap_.emplace_back();
       this->rise(this->heap_.size() - 1, { key, vertex });
     }
@@ -184,7 +185,6 @@ private:
   {
     this->heap_[slot] = waiting;
     this->states_[waiting.vertex].slot = static_cast<Id>(slot);
-    this->states_[waiting.vertex].waits = VertexState::Waits::InHeap;
   }
 
   // Puts a vertex into a slot, or higher if its key is less than those above.

@@ -46,6 +46,14 @@ public:
     return nullptr;
   }
 
+  /// Whether a condition holds for some list of a group: (const List&) -> bool.
+  template <typename Condition>
+  bool isAny(Id group, const Condition& condition) const
+  {
+    return group != NoId &&
+      std::any_of(this->groups_[group].begin(), this->groups_[group].end(), condition);
+  }
+
   /// Adds a list to a group that has none of its halfedge.
   List& add(Id& group, const HalfedgeList& added)
   {
