@@ -112,7 +112,8 @@ private:
   {
     if (this->unused_.empty())
     {
-      this->groups_.emplace_back();
+      constexpr std::size_t usual = 4;
+      this->groups_.emplace_back().reserve(usual);
       return static_cast<Id>(this->groups_.size()) - 1;
     }
     const Id group = this->unused_.back();
