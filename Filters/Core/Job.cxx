@@ -10,6 +10,7 @@
 #include <future>
 #include <mutex>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace geodesic
@@ -23,6 +24,14 @@ struct Job::Caller
   ParallelFor threads;
   double reached = 0.0;
   Clock::time_point nextLook = Clock::time_point::min();
+  /// The thread that last shared tasks with others. None if there are no others.
+  std::thread::id thread;
+  std::atomic<bool> hasStopped{ false };
+
+  bool isElsewhere() const
+  {
+    return this->thread != std::thread::id() && this->thread != std::this_thread::get_id();
+  }
 };
 
 namespace
@@ -105,6 +114,22 @@ private:
   std::exception_ptr thrown_;
 };
 
+/// Counts what has ended, also by an exception.
+class AtEnd
+{
+public:
+  explicit AtEnd(std::atomic<std::size_t>& count)
+    : count_(count)
+  {
+  }
+  ~AtEnd() { ++this->count_; }
+  AtEnd(const AtEnd&) = delete;
+  AtEnd& operator=(const AtEnd&) = delete;
+
+private:
+  std::atomic<std::size_t>& count_;
+};
+
 }
 
 Job::Job(Watcher watcher, ParallelFor threads)
@@ -128,6 +153,7 @@ void Job::reach(double fraction) const
     caller.reached = std::max(caller.reached, here);
     if (!caller.watcher(caller.reached))
     {
+      caller.hasStopped.store(true, std::memory_order_relaxed);
       throw Aborted();
     }
   }
@@ -135,21 +161,47 @@ void Job::reach(double fraction) const
 
 void Job::look(double fraction) const
 {
-  if (this->caller_ && this->caller_->watcher)
+  if (!this->caller_ || !this->caller_->watcher)
   {
-    constexpr std::chrono::milliseconds betweenCalls(20);
-    const Caller::Clock::time_point now = Caller::Clock::now();
-    if (now >= this->caller_->nextLook)
-    {
-      this->caller_->nextLook = now + betweenCalls;
-      this->reach(fraction);
-    }
+    return;
+  }
+  Caller& caller = *this->caller_;
+  if (caller.hasStopped.load(std::memory_order_relaxed))
+  {
+    throw Aborted();
+  }
+  if (caller.isElsewhere())
+  {
+    return;
+  }
+  constexpr std::chrono::milliseconds betweenCalls(20);
+  const Caller::Clock::time_point now = Caller::Clock::now();
+  if (now >= caller.nextLook)
+  {
+    caller.nextLook = now + betweenCalls;
+    this->reach(fraction);
   }
 }
 
 void Job::inParallel(std::size_t count, const std::function<void(std::size_t)>& task) const
 {
-  this->caller_->threads(count, task);
+  Caller& caller = *this->caller_;
+  caller.thread = std::this_thread::get_id();
+  std::atomic<std::size_t> begun{ 0 };
+  std::atomic<std::size_t> ended{ 0 };
+  caller.threads(count,
+    [&](std::size_t i)
+    {
+      ++begun;
+      const AtEnd end(ended);
+      task(i);
+      // The caller's thread watches while others are still at their last tasks.
+      while (!caller.isElsewhere() && begun == count && ended + 1 < count)
+      {
+        this->look();
+        std::this_thread::yield();
+      }
+    });
 }
 
 void Job::longTasks(

@@ -13,7 +13,7 @@ namespace geodesic
 {
 
 /// Runs task(0) to task(count - 1), in any order and possibly at the same time, and returns when
-/// all have finished.
+/// all have finished. If tasks throw, one of their exceptions is thrown again then.
 using ParallelFor =
   std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
 
@@ -30,7 +30,7 @@ constexpr std::size_t ItemsInRange = 1024;
 /// stretch of it that a step of the work takes. Copies are cheap and share the watcher.
 ///
 /// Results never depend on the threads. Members that tell the watcher throw Aborted if the watcher
-/// asks for a stop. They are called by the caller's thread, not from tasks.
+/// asks for a stop. Only the caller's thread calls them; tasks may call look().
 class Job
 {
 public:
@@ -57,7 +57,8 @@ public:
   void reach(double fraction) const;
 
   /// The same for steps that take unknown times: it may be called as often as convenient, and the
-  /// watcher hears about fifty calls a second.
+  /// watcher hears about fifty calls a second. In a task on another thread it only throws Aborted
+  /// once the watcher has asked for a stop.
   void look(double fraction = 0.0) const;
 
   /// The same for item `item` of a loop over many small ones.

@@ -4,6 +4,7 @@
 
 #include "Errors.h"
 #include "Job.h"
+#include "ThreadTeam.h"
 
 #include <gtest/gtest.h>
 
@@ -115,6 +116,78 @@ TEST(JobInParallel, VisitsEachItemOnceAndReturnsResultsInOrder)
       EXPECT_EQ(ofTasks, expected);
     }
   }
+}
+
+// Each task goes on until its look says that the watcher, who hears of the work on the caller's
+// thread alone, wants it to stop.
+TEST(JobInParallel, TasksOnAllThreadsStopWhenTheirWatcherAsksForIt)
+{
+  const std::thread::id caller = std::this_thread::get_id();
+  for (const std::size_t tasks : { 2U, 3U, 40U })
+  {
+    for (const int calls : { 1, 5 })
+    {
+      int called = 0;
+      const auto watcher = [&](double)
+      {
+        EXPECT_EQ(std::this_thread::get_id(), caller);
+        return ++called < calls;
+      };
+      const Job job(watcher, geodesic::teamOf(3));
+      std::atomic<std::size_t> stopped{ 0 };
+      const auto workUntilStopped = [&](std::size_t)
+      {
+        try
+        {
+          while (true)
+          {
+            job.look();
+          }
+        }
+        catch (const geodesic::Aborted&)
+        {
+          ++stopped;
+          throw;
+        }
+      };
+      EXPECT_THROW(job.tasks(tasks, workUntilStopped), geodesic::Aborted);
+      EXPECT_EQ(stopped, tasks);
+      EXPECT_EQ(called, calls);
+    }
+  }
+}
+
+// One thread still works at a long task when the caller's has nothing left to do.
+TEST(JobInParallel, IsWatchedWhileAnotherThreadIsAtTheLastTask)
+{
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<int> called{ 0 };
+  const auto watcher = [&](double)
+  {
+    ++called;
+    return called < 5;
+  };
+  const Job job(watcher, geodesic::teamOf(2));
+  std::atomic<bool> isElsewhere{ false };
+  const auto task = [&](std::size_t)
+  {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    if (std::this_thread::get_id() == caller)
+    {
+      while (!isElsewhere && std::chrono::steady_clock::now() < end)
+      {
+        std::this_thread::yield();
+      }
+      return;
+    }
+    isElsewhere = true;
+    while (std::chrono::steady_clock::now() < end)
+    {
+      job.look();
+    }
+  };
+  EXPECT_THROW(job.tasks(2, task), geodesic::Aborted);
+  EXPECT_EQ(called, 5);
 }
 
 // One task takes much longer than the others and only tells how far it is.

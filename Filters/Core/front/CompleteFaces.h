@@ -27,7 +27,6 @@ public:
 
   bool isLimited() const { return this->limit_ < Infinity; }
   double limit() const { return this->limit_; }
-  bool isWithin(const Window& window) const { return window.minimum() <= this->limit_; }
 
   void add(Id face) { this->needed_[face] = 1; }
   bool isNeeded(Id face) const { return this->needed_[face] != 0; }

@@ -28,9 +28,9 @@ void FrontOnRanks::exchangeLists()
     return;
   }
   Mailboxes& mailboxes = this->front_.mailboxes;
-  for (District& district : this->districts_)
+  for (District& district : this->front_.districts)
   {
-    for (const SentList& list : district.toRanks.lists)
+    for (const HalfedgeList& list : district.toRanks.lists)
     {
       this->addList(list);
     }
@@ -50,13 +50,13 @@ void FrontOnRanks::exchangeLists()
   {
     for (const DistanceUpdate& update : received.updates[areHigher ? 1 : 0])
     {
-      mailboxes.fromRanks(areHigher, this->front_.districts.of(update.vertex))
+      mailboxes.fromRanks(areHigher, this->front_.districtNumbers.of(update.vertex))
         .updates.push_back(update);
     }
   }
-  for (const SentList& list : received.lists)
+  for (const HalfedgeList& list : received.lists)
   {
-    const Id receiver = this->front_.districts.of(this->front_.mesh.opposite(list.halfedge));
+    const Id receiver = this->front_.districtNumbers.of(this->front_.mesh.opposite(list.halfedge));
     mailboxes.fromRanks(true, receiver).lists.push_back(list);
   }
 }
@@ -67,7 +67,7 @@ std::vector<DistanceUpdate> FrontOnRanks::exchangeArrivals(VertexSchedule::Outlo
   {
     return {};
   }
-  for (District& district : this->districts_)
+  for (District& district : this->front_.districts)
   {
     for (const DistanceUpdate& arrival : district.toRanks.arrivals)
     {
@@ -156,7 +156,7 @@ void FrontOnRanks::completeHalo(std::vector<double>& distances)
     [&](std::size_t vertex, MessageReader& answer) { distances[vertex] = answer.get<double>(); });
 }
 
-void FrontOnRanks::addList(const SentList& list)
+void FrontOnRanks::addList(const HalfedgeList& list)
 {
   const RankAddress owner = this->surface_.ownerOf(TriangleMesh::faceOf(list.halfedge));
   Message& message = this->messages_[rankIndex(owner.rank)];

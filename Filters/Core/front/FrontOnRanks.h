@@ -2,7 +2,7 @@
 #ifndef geodesic_FrontOnRanks_h
 #define geodesic_FrontOnRanks_h
 
-#include "front/BatchTasks.h"
+#include "front/FrontContext.h"
 #include "mesh/MeshPartition.h"
 
 #include <array>
@@ -25,10 +25,9 @@ public:
   /// All that is given must outlive this.
   ///
   /// \param pool for lists that come from other ranks.
-  FrontOnRanks(const FrontContext& front, std::vector<District>& districts, WindowPool& pool)
+  FrontOnRanks(FrontContext& front, WindowPool& pool)
     : front_(front)
     , surface_(front.surface)
-    , districts_(districts)
     , pool_(pool)
     , messages_(front.surface.exchange().noMessages())
   {
@@ -61,16 +60,15 @@ private:
   /// distances of the lower and of the higher ranks.
   struct Received
   {
-    std::vector<SentList> lists;
+    std::vector<HalfedgeList> lists;
     std::array<std::vector<DistanceUpdate>, 2> updates;
   };
 
-  void addList(const SentList& list);
+  void addList(const HalfedgeList& list);
   Received step(std::vector<double>& least);
 
-  const FrontContext& front_;
+  FrontContext& front_;
   const MeshPartition& surface_;
-  std::vector<District>& districts_;
   WindowPool& pool_;
   /// For each rank, what the next step sends to it: lists, each a halfedge and its windows, and
   /// distances, each behind NoId.

@@ -18,6 +18,7 @@ namespace geodesic
 /// may use any worker.
 struct FrontWorker
 {
+  std::vector<HalfedgeList> due;
   std::vector<ApexSide> apexSides;
   LeavingWindows leaving;
   WindowListBuilder merged;
@@ -28,22 +29,22 @@ struct FrontWorker
   std::uint64_t propagated = 0;
   double relativeError = 0.0;
 
-  /// Number of windows read or written over the whole solve, and the number at which the worker
-  /// pauses, so that the watcher can be told. It finishes the current list first.
-  std::uint64_t handled = 0;
-  std::uint64_t pauseAt = 0;
-  std::uint64_t round = 0;
-
-  bool hasToPause() const { return this->handled >= this->pauseAt; }
-  void begin(std::uint64_t itsRound)
+  /// Lets the watcher stop the work, about once a millisecond. To be called between lists.
+  ///
+  /// \param windows how many windows were read or written since the last call.
+  void look(const Job& job, std::size_t windows)
   {
-    constexpr std::uint64_t windowsPerRound = 1U << 17; // some hundredths of a second
-    if (this->round != itsRound)
+    constexpr std::size_t windowsPerLook = 1U << 12;
+    this->sinceLook_ += windows;
+    if (this->sinceLook_ >= windowsPerLook)
     {
-      this->round = itsRound;
-      this->pauseAt = this->handled + windowsPerRound;
+      this->sinceLook_ = 0;
+      job.look();
     }
   }
+
+private:
+  std::size_t sinceLook_ = 0;
 };
 
 /// The workers of a front: as many as there are threads, so that a task reuses the memory of
@@ -74,13 +75,10 @@ public:
     }
   }
 
-  /// Runs item(worker, i) for i below `items`, in parallel if there are several. This begins a new
-  /// round, in which each worker may work until it has to pause again.
+  /// Runs item(worker, i) for i below `items`, in parallel if there are several.
   template <typename Item>
   void run(std::size_t items, Item&& item)
   {
-    ++this->round_;
-    this->first().begin(this->round_);
     if (!this->job_.isParallel() || items == 1)
     {
       for (std::size_t i = 0; i < items; ++i)
@@ -93,7 +91,6 @@ public:
       [&](std::size_t i)
       {
         const SlotLock lock(this->slots_);
-        lock.worker().begin(this->round_);
         item(lock.worker(), i);
       });
   }
@@ -135,7 +132,6 @@ private:
 
   const Job& job_;
   std::vector<WorkerSlot> slots_;
-  std::uint64_t round_ = 0;
 };
 
 }

@@ -16,16 +16,10 @@
 namespace geodesic
 {
 
-struct SentList
-{
-  Id halfedge;
-  WindowBlock windows;
-};
-
 /// What one district sends to another district, or to itself, in a batch.
 struct MailBatch
 {
-  std::vector<SentList> lists;
+  std::vector<HalfedgeList> lists;
   std::vector<DistanceUpdate> updates;
 
   bool isEmpty() const { return this->lists.empty() && this->updates.empty(); }
@@ -46,7 +40,7 @@ struct MailToRanks
 
   bool areThereOthers;
   /// Lists for faces that other ranks own.
-  std::vector<SentList> lists;
+  std::vector<HalfedgeList> lists;
   /// Distances found in the second step of a batch.
   std::vector<DistanceUpdate> arrivals;
 

@@ -39,26 +39,26 @@ public:
     // Windows that come to a vertex behind the front continue with the front, in the same batches.
     const double key = std::max(distance, this->key_);
     const VertexState& state = this->states_[vertex];
-    const Id slot = state.slot;
     if (state.hasPassed && distance >= state.distance)
     {
       return; // it waits at its distance
     }
-    if (slot < Behind)
+    if (state.waits == VertexState::Waits::InHeap)
     {
-      if (key < this->heap_[slot].key)
+      if (key < this->heap_[state.slot].key)
       {
-        this->rise(slot, { key, vertex });
+        this->rise(state.slot, { key, vertex });
       }
     }
-    else if (slot == NoId && key > this->key_)
+    else if (state.waits == VertexState::Waits::No && key > this->key_)
     {
+      this->states_[vertex].waits = VertexState::Waits::InHeap;
       this->heap_.emplace_back();
       this->rise(this->heap_.size() - 1, { key, vertex });
     }
-    else if (slot == NoId)
+    else if (state.waits == VertexState::Waits::No)
     {
-      this->states_[vertex].slot = Behind;
+      this->states_[vertex].waits = VertexState::Waits::Behind;
       this->behind_.push_back(vertex);
     }
   }
@@ -105,13 +105,13 @@ public:
     this->takePassed(last, batch);
     for (const Id vertex : this->behind_)
     {
-      this->states_[vertex].slot = NoId;
+      this->states_[vertex].waits = VertexState::Waits::No;
     }
     this->behind_.clear();
     while (!this->heap_.empty() && this->heap_.front().key <= last)
     {
       batch.push_back(this->heap_.front().vertex);
-      this->states_[batch.back()].slot = NoId;
+      this->states_[batch.back()].waits = VertexState::Waits::No;
       const WaitingVertex moved = this->heap_.back();
       this->heap_.pop_back();
       if (!this->heap_.empty())
@@ -141,8 +141,6 @@ private:
     Id vertex;
   };
 
-  /// The slot of a vertex in `behind_`.
-  static constexpr Id Behind = NoId - 1;
   static constexpr std::size_t Children = 4;
   static std::size_t parentOf(std::size_t slot) { return (slot - 1) / Children; }
   static std::size_t firstChildOf(std::size_t slot) { return Children * slot + 1; }
@@ -155,8 +153,9 @@ private:
     std::copy_if(taken, this->passed_.end(), std::back_inserter(batch),
       [this, last](Id vertex)
       {
-        const Id slot = this->states_[vertex].slot;
-        return slot == NoId || (slot != Behind && this->heap_[slot].key > last);
+        const VertexState& state = this->states_[vertex];
+        return state.waits == VertexState::Waits::No ||
+          (state.waits == VertexState::Waits::InHeap && this->heap_[state.slot].key > last);
       });
     this->passed_.erase(taken, this->passed_.end());
   }

@@ -34,10 +34,10 @@ struct VertexState
   /// Where its path comes from (an Arrival without its padding).
   double arrivalX = 0.0;
   Id arrivalHalfedge = NoId;
-  /// The first list on the halfedges opposite it.
+  /// The group of the lists on the halfedges opposite it (WaitingLists); NoId if none wait.
   Id facing = NoId;
-  /// Its slot in its district's schedule; NoId if it does not wait.
-  Id slot = NoId;
+  /// Its slot in the heap of its district's schedule, if it waits there.
+  Id slot = 0;
   /// How much farther the other vertices of its batch may be.
   float batchWidth = 0.0F;
   /// Whether it emits windows: a saddle vertex into its shadow, an irregular one everywhere.
@@ -45,14 +45,22 @@ struct VertexState
   /// How often it was processed, up to the largest number.
   std::uint8_t timesProcessed = 0;
   bool hasThinFaces = false;
+  /// Whether it waits in its district's schedule: ahead of the front in the heap, or behind it.
+  enum class Waits : std::uint8_t
+  {
+    No,
+    InHeap,
+    Behind
+  };
+  Waits waits = Waits::No;
   /// Within an error: whether its lists have passed, so that it settles in its next batch.
   bool hasPassed = false;
 
   Arrival arrival() const { return { this->arrivalHalfedge, {}, this->arrivalX }; }
   /// Whether windows may come again and again to halfedges opposite it. On scans hardly any vertex
   /// is processed more often.
-  bool isBusy() const { return this->hasThinFaces || this->timesProcessed >= UsualTimes; }
-  static constexpr std::uint8_t UsualTimes = 4;
+  bool isBusy() const { return this->hasThinFaces || this->isProcessedOften(); }
+  bool isProcessedOften() const { return this->timesProcessed >= 4; }
   void countProcessing()
   {
     if (this->timesProcessed < std::numeric_limits<std::uint8_t>::max())
@@ -99,7 +107,7 @@ public:
           ? 0.5F * static_cast<float>(this->mesh_.length(*corners.begin()))
           : 0.0F;
       });
-    this->takeThinFaces();
+    this->takeFaces();
   }
 
   Id size() const { return static_cast<Id>(this->states_.size()); }
@@ -171,11 +179,12 @@ private:
   // In strips of thin faces, the distances of vertices side by side along the long edges differ by
   // the square of the altitude over the length. If one batch held many of these vertices, their
   // windows would pass through the strips side by side, each alone, and none would be merged.
-  void takeThinFaces()
+  void takeFaces()
   {
     for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
     {
       const FaceShape& shape = this->mesh_.shape(face);
+      this->longestEdge_ = std::max(this->longestEdge_, shape.longest());
       if (shape.isThin())
       {
         const double altitude = shape.area2 / shape.longest();
@@ -197,7 +206,7 @@ private:
     const Arrival& known = this->arrivals_[vertex];
     const bool isTie = distance <= this->distance(vertex) * (1.0 + tolerance::Tie);
     return known.isKnown() ? isTie && this->errors_.empty() && isBent(this->mesh_, known)
-                           : isTie || distance <= this->distance(vertex) + this->tieAround(vertex);
+                           : isTie || this->isTieAround(vertex, distance);
   }
   bool isBetterArrival(const DistanceUpdate& update, double distance) const
   {
@@ -213,6 +222,10 @@ private:
   }
 
   // A path across a needle carries the rounding of the needle's long edges.
+  double tieWith(Id vertex, double longestEdge) const
+  {
+    return tolerance::Tie * (this->distance(vertex) + longestEdge);
+  }
   double tieAround(Id vertex) const
   {
     double longest = 0.0;
@@ -220,13 +233,23 @@ private:
     {
       longest = std::max(longest, this->mesh_.length(corner));
     }
-    return tolerance::Tie * (this->distance(vertex) + longest);
+    return this->tieWith(vertex, longest);
+  }
+  // Most paths are longer than any edge allows, and the edges at the vertex, perhaps very many,
+  // need not be searched.
+  bool isTieAround(Id vertex, double distance) const
+  {
+    const double known = this->distance(vertex);
+    return distance <= known + this->tieWith(vertex, this->longestEdge_) &&
+      distance <= known + this->tieAround(vertex);
   }
 
   const TriangleMesh& mesh_;
   /// A vertex whose distance becomes shorter by no more than this fraction is not processed again.
   /// Within an error nothing is lost by it.
   double tie_;
+  /// The surface's.
+  double longestEdge_ = 0.0;
   std::vector<VertexState> states_;
   /// Empty in the exact solve.
   std::vector<double> errors_;

@@ -10,159 +10,120 @@
 namespace geodesic
 {
 
-/// The windows that wait on halfedges: at most one sorted list per halfedge, each in one block,
-/// with links by which the caller chains lists. Only halfedges along the front have lists, so a
-/// hash table holds them, not an array of all halfedges.
+/// The lists that wait on halfedges, at most one on each. Those on the halfedges opposite one
+/// vertex form a group, whose number the vertex has (VertexState::facing); a vertex without lists
+/// has NoId. Few lists wait for a vertex at once, and they are side by side in memory, so a search
+/// of its group finds a halfedge's list.
 class WaitingLists
 {
 public:
-  /// In an order of members that leaves no gaps: there are very many.
   struct List
   {
-    WindowBlock windows;
     Id halfedge;
-    /// The caller's link to another list.
-    Id next = NoId;
+    WindowBlock windows;
     /// The distance at which the list passes, whether or not the front has reached its vertex;
     /// infinite if the list waits for the vertex.
     double due = Infinity;
   };
+  using Group = std::vector<List>;
 
-  /// The number of a halfedge's list; NoId if it has none.
-  Id find(Id halfedge) const
-  {
-    if (this->count_ == 0)
-    {
-      return NoId;
-    }
-    std::size_t slot = this->homeOf(halfedge);
-    while (this->table_[slot] != NoId && this->lists_[this->table_[slot]].halfedge != halfedge)
-    {
-      slot = (slot + 1) & this->mask();
-    }
-    return this->table_[slot];
-  }
+  /// The lists of a group, which there is, the newest last.
+  const Group& operator[](Id group) const { return this->groups_[group]; }
 
-  /// Adds a list to a halfedge that has none, in front of another list of the caller's chain.
-  /// \returns the list's number.
-  Id add(Id halfedge, const WindowBlock& block, Id next = NoId)
+  /// A halfedge's list in the group of the vertex opposite; null if there is none.
+  List* find(Id group, Id halfedge)
   {
-    if (2 * (this->count_ + 1) > this->table_.size())
+    if (group != NoId)
     {
-      this->grow();
-    }
-    if (this->unused_ == NoId)
-    {
-      this->unused_ = static_cast<Id>(this->lists_.size());
-      this->lists_.emplace_back();
-    }
-    const Id list = this->unused_;
-    this->unused_ = this->lists_[list].next;
-    this->lists_[list] = { block, halfedge, next };
-    this->enter(list);
-    ++this->count_;
-    return list;
-  }
-
-  /// Removes a list. Its block now belongs to the caller.
-  WindowBlock remove(Id list)
-  {
-    std::size_t gap = this->homeOf(this->lists_[list].halfedge);
-    while (this->table_[gap] != list)
-    {
-      gap = (gap + 1) & this->mask();
-    }
-    // Lists behind the gap move forward if their probe sequences allow it, so that find() never
-    // stops at a gap before them (Knuth, 6.4, algorithm R).
-    for (std::size_t slot = (gap + 1) & this->mask(); this->table_[slot] != NoId;
-         slot = (slot + 1) & this->mask())
-    {
-      const std::size_t home = this->homeOf(this->lists_[this->table_[slot]].halfedge);
-      if (((slot - home) & this->mask()) >= ((slot - gap) & this->mask()))
+      for (List& list : this->groups_[group])
       {
-        this->table_[gap] = this->table_[slot];
-        gap = slot;
+        if (list.halfedge == halfedge)
+        {
+          return &list;
+        }
       }
     }
-    this->table_[gap] = NoId;
-    --this->count_;
-    this->lists_[list].next = this->unused_;
-    this->unused_ = list;
-    return this->lists_[list].windows;
+    return nullptr;
   }
 
-  std::size_t size() const { return this->count_; }
-  const List& operator[](Id list) const { return this->lists_[list]; }
-  List& operator[](Id list) { return this->lists_[list]; }
-  /// Replaces the list by a copy of other windows.
-  void assign(Id list, WindowRange windows, WindowPool& pool)
+  /// Whether a condition holds for some list of a group: (const List&) -> bool.
+  template <typename Condition>
+  bool isAny(Id group, const Condition& condition) const
   {
-    WindowBlock& block = this->lists_[list].windows;
-    if (windows.size() <= (std::size_t(1) << block.sizeClass))
+    return group != NoId &&
+      std::any_of(this->groups_[group].begin(), this->groups_[group].end(), condition);
+  }
+
+  /// Adds a list to a group that has none of its halfedge.
+  List& add(Id& group, const HalfedgeList& added)
+  {
+    if (group == NoId)
     {
-      std::copy(windows.begin(), windows.end(), block.data);
-      block.size = static_cast<std::uint32_t>(windows.size());
+      group = this->takeUnused();
+    }
+    Group& lists = this->groups_[group];
+    lists.push_back({ added.halfedge, added.windows });
+    return lists.back();
+  }
+
+  /// Takes lists out of a group, which there may be. Their blocks now belong to the caller.
+  ///
+  /// \param isTaken (const List&) -> bool.
+  /// \param taken replaced; the newest first.
+  template <typename IsTaken>
+  void take(Id& group, const IsTaken& isTaken, std::vector<HalfedgeList>& taken)
+  {
+    taken.clear();
+    if (group == NoId)
+    {
       return;
     }
-    const WindowBlock larger = pool.copyOf(windows);
-    pool.free(block);
-    block = larger;
+    Group& lists = this->groups_[group];
+    const auto takes = [&](const List& list)
+    {
+      const bool isOne = isTaken(list);
+      if (isOne)
+      {
+        taken.push_back({ list.halfedge, list.windows });
+      }
+      return isOne;
+    };
+    lists.erase(std::remove_if(lists.begin(), lists.end(), takes), lists.end());
+    std::reverse(taken.begin(), taken.end());
+    if (lists.empty())
+    {
+      this->unused_.push_back(group);
+      group = NoId;
+    }
   }
 
   /// Calls visit(const List&) for each list, in any order.
   template <typename Visit>
   void forEach(Visit&& visit) const
   {
-    for (const Id list : this->table_)
+    for (const Group& lists : this->groups_)
     {
-      if (list != NoId)
-      {
-        visit(this->lists_[list]);
-      }
+      std::for_each(lists.begin(), lists.end(), visit);
     }
   }
 
 private:
-  std::size_t mask() const { return this->table_.size() - 1; }
-  std::size_t homeOf(Id halfedge) const
+  Id takeUnused()
   {
-    constexpr std::uint64_t golden = 0x9e3779b97f4a7c15U; // Fibonacci hashing (Knuth, 6.4)
-    return (halfedge * golden) >> this->shift_;
-  }
-
-  void enter(Id list)
-  {
-    std::size_t slot = this->homeOf(this->lists_[list].halfedge);
-    while (this->table_[slot] != NoId)
+    if (this->unused_.empty())
     {
-      slot = (slot + 1) & this->mask();
+      constexpr std::size_t usual = 4;
+      this->groups_.emplace_back().reserve(usual);
+      return static_cast<Id>(this->groups_.size()) - 1;
     }
-    this->table_[slot] = list;
+    const Id group = this->unused_.back();
+    this->unused_.pop_back();
+    return group;
   }
 
-  void grow()
-  {
-    --this->shift_;
-    std::vector<Id> old(std::size_t(1) << (64 - this->shift_), NoId);
-    old.swap(this->table_);
-    for (const Id list : old)
-    {
-      if (list != NoId)
-      {
-        this->enter(list);
-      }
-    }
-  }
-
-  std::vector<List> lists_;
-  /// Removed lists, chained.
-  Id unused_ = NoId;
-  /// The numbers of the lists, hashed by halfedge with linear probing. At most half full; the size
-  /// is a power of two: the hash's bits from this one on are a place. The first table has 32
-  /// places.
-  std::vector<Id> table_;
-  unsigned shift_ = 60;
-  std::size_t count_ = 0;
+  std::vector<Group> groups_;
+  /// The numbers of empty groups.
+  std::vector<Id> unused_;
 };
 
 }

@@ -203,6 +203,17 @@ static_assert(sizeof(Window) == 64, "there are hundreds of millions of them");
 /// Consecutive windows in memory.
 using WindowRange = ArrayRange<Window>;
 
+/// The least distance of any window.
+inline double leastDistance(const WindowRange& windows)
+{
+  double least = Infinity;
+  for (const Window& w : windows)
+  {
+    least = std::min(least, w.minimum());
+  }
+  return least;
+}
+
 /// The same window in the reversed frame: from the end of a halfedge of this length back to its
 /// origin.
 inline Window reversed(const Window& window, double length)

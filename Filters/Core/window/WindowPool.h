@@ -26,6 +26,13 @@ struct WindowBlock
   WindowRange range() const { return { this->data, this->data + this->size }; }
 };
 
+/// A halfedge and its windows.
+struct HalfedgeList
+{
+  Id halfedge;
+  WindowBlock windows;
+};
+
 /// Blocks of windows, whose sizes are powers of two, cut from large chunks and reused. Not
 /// thread-safe: each worker has its own pool, but may free blocks of other pools into it.
 class WindowPool
@@ -47,6 +54,21 @@ public:
       *to++ = window;
     }
     return block;
+  }
+
+  /// Replaces the windows of a block by copies of others; the block itself, too, if it is too
+  /// small.
+  void assign(WindowBlock& block, WindowRange windows)
+  {
+    if (windows.size() <= (std::size_t(1) << block.sizeClass))
+    {
+      std::copy(windows.begin(), windows.end(), block.data);
+      block.size = static_cast<std::uint32_t>(windows.size());
+      return;
+    }
+    const WindowBlock larger = this->copyOf(windows);
+    this->free(block);
+    block = larger;
   }
 
   /// Takes back a block of this pool, or of another pool that lives as long.

@@ -82,6 +82,15 @@ TEST(WindowPool, BlocksKeepTheirWindowsWhateverIsAllocatedAndFreed)
     }
     const std::size_t size = random.chance(0.02) ? 3000 : random.between(1, 40);
     const std::vector<Window> windows = numbered(size, step);
+    if (!held.empty() && random.chance(0.3))
+    {
+      Held& one = held[random.below(held.size())];
+      const WindowBlock before = one.block;
+      pool.assign(one.block, rangeOf(windows));
+      one.windows = windows;
+      ASSERT_EQ(one.block.data == before.data, size <= std::size_t(1) << before.sizeClass);
+      continue;
+    }
     held.push_back({ pool.copyOf(rangeOf(windows)), windows });
     ASSERT_GE(std::size_t(1) << held.back().block.sizeClass, size);
   }

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_FrontContext_h
+#define geodesic_FrontContext_h
+
+#include "front/CompleteFaces.h"
+#include "front/Districts.h"
+#include "front/Front.h"
+#include "front/FrontWorker.h"
+#include "front/Mailboxes.h"
+#include "front/PassedWindows.h"
+#include "front/VertexSchedule.h"
+#include "front/VertexStates.h"
+#include "front/WaitingLists.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace geodesic
+{
+
+/// The state of the front in one district: the schedule of its vertices and the lists that wait for
+/// them. Only one task at a time works on it.
+struct District
+{
+  District(Id itsNumber, VertexStates& states, const MeshPartition& surface)
+    : number(itsNumber)
+    , schedule(states)
+    , toRanks(surface)
+  {
+  }
+
+  Id number;
+  VertexSchedule schedule;
+  /// The next batch of its vertices, as found at the end of the last one.
+  VertexSchedule::Outlook next;
+  /// The lists on the halfedges opposite its vertices.
+  WaitingLists lists;
+  /// What is remembered of lists that went through these halfedges.
+  PassedWindows passed;
+  /// Its vertices in the current batch, and how many of them were never processed before.
+  std::vector<Id> batch;
+  std::size_t settled = 0;
+  /// Processed vertices that have got a smaller distance since.
+  std::vector<Id> shortened;
+  /// With a distance limit: halfedges with windows within it.
+  std::vector<Id> withinLimit;
+
+  MailToRanks toRanks;
+};
+
+/// The state of the front, which the tasks of a batch share. A task writes only to its district and
+/// to the vertices there, to its own mail and to its worker, so tasks of several districts may run
+/// at the same time.
+struct FrontContext
+{
+  FrontContext(
+    const MeshPartition& itsSurface, const FrontOptions& itsOptions, Retention& itsRetention)
+    : surface(itsSurface)
+    , mesh(itsSurface.mesh())
+    , options(itsOptions)
+    , retention(itsRetention)
+    , districtNumbers(mesh, options.job)
+    , vertices(mesh, options.relativeError > 0.0, options.keepArrivals, options.job)
+    , complete(surface, options.maximumDistance)
+    , mailboxes(districtNumbers.size())
+    , mostFaces(std::min(surface.numberOfGlobalFaces(), MaximumFacesCrossed))
+    , longestPath(options.corridor != nullptr ? options.corridor->length : Infinity)
+  {
+    this->districts.reserve(this->districtNumbers.size());
+    for (Id number = 0; number < this->districtNumbers.size(); ++number)
+    {
+      this->districts.emplace_back(number, this->vertices, this->surface);
+    }
+  }
+
+  District& districtOf(Id vertex) { return this->districts[this->districtNumbers.of(vertex)]; }
+
+  /// Whether the known distance shows that no path in the corridor passes the vertex.
+  bool isOutsideCorridor(Id vertex) const
+  {
+    return this->options.corridor != nullptr &&
+      this->vertices.distance(vertex) + this->options.corridor->lowerBounds[vertex] >
+      this->longestPath;
+  }
+
+  bool isInThinFace(Id halfedge) const
+  {
+    return this->mesh.shape(TriangleMesh::faceOf(halfedge)).isThin();
+  }
+
+  const MeshPartition& surface;
+  const TriangleMesh& mesh;
+  const FrontOptions& options;
+  Retention& retention;
+
+  Districts districtNumbers;
+  VertexStates vertices;
+  std::vector<District> districts;
+  CompleteFaces complete;
+  Mailboxes mailboxes;
+
+  /// The largest number of faces that a shortest path can cross.
+  Id mostFaces;
+  /// The number of the current batch.
+  Id batch = 0;
+  /// The key at which the batch began: no path yet to be found is shorter.
+  double key = 0.0;
+  /// The longest path that is looked for in the corridor.
+  double longestPath;
+};
+
+}
+
+#endif

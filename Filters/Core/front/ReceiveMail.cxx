@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "front/ReceiveMail.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+// Merges a list into the one that waits on its halfedge.
+void mergeInto(
+  FrontContext& front, FrontWorker& worker, WaitingLists::List& waiting, const WindowBlock& block)
+{
+  worker.look(front.options.job, waiting.windows.size);
+  worker.merged.reset(front.mesh.length(waiting.halfedge));
+  worker.merged.appendLists(waiting.windows.range(), block.range());
+  worker.pool.free(block);
+  worker.pool.assign(waiting.windows, worker.merged.range());
+}
+
+// A list waits for the vertex opposite, so that it is complete when it goes through its face. In a
+// thin face the vertex may be far from where the windows are, or long behind them. There the list
+// goes when the front is as far as its nearest window, as in MMP. Otherwise windows that wait for a
+// far vertex are overtaken by longer paths, which they beat later.
+void receiveList(FrontContext& front, FrontWorker& worker, District& district, HalfedgeList sent)
+{
+  const Id apex = front.mesh.opposite(sent.halfedge);
+  VertexState& state = front.vertices[apex];
+  if (state.isBusy() && canGainOn(front, district, sent.halfedge))
+  {
+    district.passed.cut(sent, front.mesh.length(sent.halfedge), worker.merged, worker.pool);
+    if (sent.windows.size == 0)
+    {
+      worker.pool.free(sent.windows);
+      return;
+    }
+  }
+  const Vec2 apexAt = apexOf(front.mesh, sent.halfedge);
+  const ApexDistance found = quickApexQuery(sent.windows.range(), apexAt);
+  if (found.nearest != nullptr && front.vertices.isImprovedBy(apex, found.distance))
+  {
+    const DistanceUpdate arrival = arrivalThrough(front, sent.halfedge, apexAt, found);
+    acceptUpdate(front, district, arrival);
+    district.toRanks.addArrival(arrival);
+  }
+  worker.propagated += sent.windows.size;
+  worker.look(front.options.job, sent.windows.size);
+  const bool isThin = state.hasThinFaces && front.isInThinFace(sent.halfedge);
+  double due = isThin ? leastDistance(sent.windows.range()) : state.distance;
+  WaitingLists::List* waiting = district.lists.find(state.facing, sent.halfedge);
+  if (waiting != nullptr)
+  {
+    mergeInto(front, worker, *waiting, sent.windows);
+  }
+  else
+  {
+    waiting = &district.lists.add(state.facing, sent);
+  }
+  if (isThin)
+  {
+    due = std::min(due, waiting->due);
+    waiting->due = due;
+  }
+  district.schedule.add(apex, due);
+}
+
+void receiveLists(FrontContext& front, FrontWorker& worker, District& district,
+  const std::vector<HalfedgeList>& lists)
+{
+  // The faces of the next lists are fetched in advance, so that none waits for its memory.
+  constexpr std::size_t ahead = 4;
+  const auto prefetch = [&](std::size_t i)
+  {
+    if (i < lists.size())
+    {
+      front.mesh.prefetch(TriangleMesh::faceOf(lists[i].halfedge));
+    }
+  };
+  for (std::size_t i = 0; i < ahead; ++i)
+  {
+    prefetch(i);
+  }
+  for (std::size_t i = 0; i < lists.size(); ++i)
+  {
+    prefetch(i + ahead);
+    receiveList(front, worker, district, lists[i]);
+  }
+}
+
+} // anonymous namespace
+
+void receiveMail(FrontContext& front, FrontWorker& worker, District& district)
+{
+  // Distances first: they may make lists needless.
+  front.mailboxes.forEach(district.number,
+    [&](const MailBatch& mail)
+    {
+      for (const DistanceUpdate& update : mail.updates)
+      {
+        acceptUpdate(front, district, update);
+      }
+    });
+  front.mailboxes.forEach(district.number,
+    [&](const MailBatch& mail) { receiveLists(front, worker, district, mail.lists); });
+  front.mailboxes.clear(district.number);
+  district.next = district.schedule.outlook();
+}
+
+void acceptUpdate(FrontContext& front, District& district, const DistanceUpdate& update)
+{
+  const VertexState& state = front.vertices[update.vertex];
+  if (!front.vertices.shorten(update) || !front.vertices.isShorter(state))
+  {
+    return;
+  }
+  if (state.processed < Infinity)
+  {
+    district.shortened.push_back(update.vertex);
+  }
+  if (!front.isOutsideCorridor(update.vertex))
+  {
+    district.schedule.add(update.vertex, state.distance);
+  }
+}
+
+// Few lists shorten the path to their apex, so only these are asked where their path comes from,
+// and only if arrivals are kept, from where it starts and how it is directed.
+DistanceUpdate arrivalThrough(
+  const FrontContext& front, Id halfedge, Vec2 apex, const ApexDistance& path)
+{
+  const Window& w = *path.nearest;
+  const double x = w.crossing(apex);
+  DistanceUpdate update = { front.mesh.opposite(halfedge), path.distance, w.error,
+    { halfedge, w.origin, x } };
+  if (front.options.keepArrivals)
+  {
+    update.from.direction = w.directionTo(apex, x);
+    update.from.start = w.startOf({ x, 0.0 });
+  }
+  return update;
+}
+
+// What comes from now on is no shorter than the key. Where paths by way of the apex are as short
+// everywhere on the halfedge, nothing can gain there. The apex is the district's own; another
+// district may be shortening the distances of the halfedge's ends.
+bool canGainOn(const FrontContext& front, const District& district, Id halfedge)
+{
+  const double toFartherEnd = std::max(front.mesh.length(TriangleMesh::nextInFace(halfedge)),
+    front.mesh.length(TriangleMesh::previousInFace(halfedge)));
+  return district.schedule.key() <=
+    front.vertices.distance(front.mesh.opposite(halfedge)) + toFartherEnd;
+}
+
+}
