@@ -188,7 +188,7 @@ std::vector<PlainLine> linesInOnePiece(const CaseWithValues& c, bool sided)
 }
 
 std::vector<PlainLine> linesOnRanks(
-  const CaseWithValues& c, const CutMesh& cut, bool sided, int droppingSolves)
+  const CaseWithValues& c, const CutMesh& cut, bool sided, bool keepAll = false)
 {
   std::vector<PlainLine> lines;
   std::mutex mutex;
@@ -196,8 +196,9 @@ std::vector<PlainLine> linesOnRanks(
     [&](const RankOfRun& rank)
     {
       const geodesic::TriangleMesh& mesh = rank.part.mesh();
-      const geodesic::DistanceField field =
-        solveForIsolines(rank.part, rank.sources, c.values, withArrivals(), droppingSolves);
+      const geodesic::DistanceField field = keepAll
+        ? solveKeeping(rank.part, rank.sources, withArrivals(), rank.part.ownFaces())
+        : solveForIsolines(rank.part, rank.sources, c.values, withArrivals());
       Isolines isolines = drawIsolines(field, c.options());
       if (sided)
       {
@@ -275,13 +276,12 @@ TEST_P(IsolinesOnRanks, JoinToThoseOfOnePiece)
     forEachCut(c.plain.mesh, someWaysToCut(), random,
       [&](const CutMesh& cut)
       {
-        const std::vector<PlainLine> lines = linesOnRanks(c, cut, false, 3);
+        const std::vector<PlainLine> lines = linesOnRanks(c, cut, false);
         expectSame(c, lines, whole);
         expectAtValues(c, lines, std::max(1e-12, accuracyOn(GetParam())), random);
         compared += lines.size();
       });
-    // With all windows kept by the last solve on all ranks.
-    expectSame(c, linesOnRanks(c, cutInSpace(c.plain.mesh, 3, random), false, 0), whole);
+    expectSame(c, linesOnRanks(c, cutInSpace(c.plain.mesh, 3, random), false, true), whole);
   }
   EXPECT_GT(compared, 0U);
 }
@@ -302,7 +302,7 @@ TEST_P(IsolinesOnRanks, OnOneSideOfTheSourceJoinToThoseOfOnePiece)
   for (const int ranks : { 2, 4 })
   {
     const std::vector<PlainLine> lines =
-      linesOnRanks(c, cutInSpace(c.plain.mesh, ranks, random), true, 3);
+      linesOnRanks(c, cutInSpace(c.plain.mesh, ranks, random), true);
     for (std::size_t value = 0; value < c.values.size(); ++value)
     {
       EXPECT_NEAR(lengthOf(lines, value), lengthOf(whole, value), LengthFraction * c.largest)
