@@ -86,7 +86,6 @@ TEST_P(RandomIsolines, PointsAreAtTheValueAndChordsNearIt)
 {
   double worstPoint = 0.0;
   double worstChord = 0.0;
-  std::size_t straight = 0;
   for (std::uint64_t seed = 0; seed < Meshes; ++seed)
   {
     Random random(seed + 77000);
@@ -96,7 +95,6 @@ TEST_P(RandomIsolines, PointsAreAtTheValueAndChordsNearIt)
       continue; // the source goes through all vertices
     }
     const Isolines isolines = drawn.draw();
-    straight += isolines.partsCrossedStraight;
     expectChordsInFaces(drawn.mesh, isolines);
     std::vector<MeshPoint> places;
     std::vector<double> expected;
@@ -132,9 +130,8 @@ TEST_P(RandomIsolines, PointsAreAtTheValueAndChordsNearIt)
     worstPoint = std::max(worstPoint, atPoints);
     worstChord = std::max(worstChord, atChords);
   }
-  EXPECT_EQ(straight, 0U);
   std::cout << GetParam().name << ": points " << worstPoint << ", chords " << worstChord
-            << " of the largest distance; parts crossed straight " << straight << "\n";
+            << " of the largest distance\n";
 }
 
 // They are drawn without the regular corners where that is possible. Among thin needles rounding
