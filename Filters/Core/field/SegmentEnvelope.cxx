@@ -31,12 +31,14 @@ struct PlaneSegment
 /// The pieces of candidates along a segment, which the functions below append.
 using Pieces = std::vector<Window>;
 
-void addLinear(Pieces& pieces, double sigma, double slope, double depth, const Interval& x)
+/// \param atP the distance at the segment's begin.
+void addLinear(
+  Pieces& pieces, Vec2 rays, double atP, const PlaneSegment& segment, const Interval& x)
 {
   if (!x.isEmpty())
   {
-    pieces.push_back(
-      { x.begin, x.end, slope, std::abs(depth), sigma, 0.0, Window::Kind::Linear, 0 });
+    pieces.push_back({ x.begin, x.end, dot(rays, segment.u), std::abs(cross(rays, segment.u)), atP,
+      0.0, Window::Kind::Linear, 0 });
   }
 }
 
@@ -69,13 +71,12 @@ void addSource(Pieces& pieces, const DistanceCandidate& c, const PlaneSegment& s
   strip.clip(along, alongSlope);
   strip.clip(sourceLength - along, -alongSlope);
   strip.widen(tolerance::PencilMargin * length, length);
-  for (const double sign : { 1.0, -1.0 })
+  for (const Vec2 aside : { Vec2{ -t.y, t.x }, Vec2{ t.y, -t.x } })
   {
-    const double height = sign * cross(t, p - c.begin);
-    const double slope = sign * cross(t, u);
+    const double height = dot(aside, p - c.begin);
     Interval oneSide = strip;
-    oneSide.clip(height, slope);
-    addLinear(pieces, height, slope, alongSlope, oneSide);
+    oneSide.clip(height, dot(aside, u));
+    addLinear(pieces, aside, height, segment, oneSide);
   }
 }
 
@@ -85,9 +86,8 @@ void addPencil(
   Pieces& pieces, const DistanceCandidate& c, const PlaneSegment& segment, bool withBent)
 {
   const auto& [p, u, length] = segment;
-  const bool linear = c.kind == DistanceCandidate::Kind::Linear;
-  const Vec2 first = linear ? c.source : c.begin - c.source;
-  const Vec2 last = linear ? c.source : c.end - c.source;
+  const Vec2 first = c.rayAtBegin();
+  const Vec2 last = c.rayAtEnd();
   const double leftOfBegin = cross(first, p - c.begin);
   const double leftOfBeginSlope = cross(first, u);
   const double leftOfEnd = cross(last, p - c.end);
@@ -97,9 +97,9 @@ void addPencil(
   straight.clip(-leftOfBegin, -leftOfBeginSlope);
   straight.clip(leftOfEnd, leftOfEndSlope);
   straight.widen(margin, length);
-  if (linear)
+  if (c.kind == DistanceCandidate::Kind::Linear)
   {
-    addLinear(pieces, c.sigma + dot(c.source, p), dot(c.source, u), cross(c.source, u), straight);
+    addLinear(pieces, c.source, c.sigma + dot(c.source, p), segment, straight);
   }
   else
   {
