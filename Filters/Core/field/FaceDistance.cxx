@@ -166,4 +166,36 @@ double FaceDistance::distance(Vec2 p) const
   return std::max(least, 0.0);
 }
 
+double NearCandidates::choose(const FaceDistance& face, Vec2 middle, double radius, double value)
+{
+  const std::vector<DistanceCandidate>& candidates = face.candidates();
+  this->inMiddle_.clear();
+  double least = Infinity;
+  for (const DistanceCandidate& c : candidates)
+  {
+    this->inMiddle_.push_back(c.distance(middle));
+    least = std::min(least, this->inMiddle_.back());
+  }
+  const double bound = std::min(least + 2.0 * radius, value + radius) * (1.0 + tolerance::Tie);
+  this->near_.clear();
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    if (this->inMiddle_[i] <= bound)
+    {
+      this->near_.push_back(&candidates[i]);
+    }
+  }
+  return least;
+}
+
+double NearCandidates::distance(Vec2 p) const
+{
+  double least = Infinity;
+  for (const DistanceCandidate* c : this->near_)
+  {
+    least = std::min(least, c->distance(p));
+  }
+  return least;
+}
+
 }

@@ -124,6 +124,27 @@ private:
   std::size_t firstCorner_ = 0;
 };
 
+/// The candidates that may be the least near a point. Slopes are at most 1: a candidate that is
+/// longer than the distance there by more than twice the radius is longer within the radius.
+class NearCandidates
+{
+public:
+  /// \param value only places where the distance is below the value matter.
+  /// \returns the distance in the middle.
+  double choose(const FaceDistance& face, Vec2 middle, double radius, double value = Infinity);
+
+  /// The distance at a point within the radius.
+  double distance(Vec2 p) const;
+
+  std::size_t size() const { return this->near_.size(); }
+  auto begin() const { return this->near_.begin(); }
+  auto end() const { return this->near_.end(); }
+
+private:
+  std::vector<const DistanceCandidate*> near_;
+  std::vector<double> inMiddle_;
+};
+
 }
 
 #endif

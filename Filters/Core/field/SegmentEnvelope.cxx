@@ -232,51 +232,17 @@ const std::vector<Window>& SegmentEnvelope::along(const FaceDistance& face, Vec2
   {
     return this->envelope_;
   }
-  const double inMiddle = this->chooseNear(face, 0.5 * (p + q), length);
+  const double inMiddle = this->near_.choose(face, 0.5 * (p + q), 0.5 * length);
   const Vec2 u = (1.0 / length) * (q - p);
-  const auto leastAt = [this](Vec2 end)
-  {
-    double least = Infinity;
-    for (const DistanceCandidate* c : this->near_)
-    {
-      least = std::min(least, c->distance(end));
-    }
-    return least;
-  };
   const bool done = face.isExact() && this->build(p, u, length, false) &&
-    agrees(this->envelope_, 0.5 * length, inMiddle) && agrees(this->envelope_, 0.0, leastAt(p)) &&
-    agrees(this->envelope_, length, leastAt(q));
+    agrees(this->envelope_, 0.5 * length, inMiddle) &&
+    agrees(this->envelope_, 0.0, this->near_.distance(p)) &&
+    agrees(this->envelope_, length, this->near_.distance(q));
   if (!done)
   {
     this->build(p, u, length, true);
   }
   return this->envelope_;
-}
-
-// Leaves out candidates that are longer than the distance in the middle by more than the segment's
-// length: these are longer throughout. If only the places below a value matter, leaves out those
-// that are above it throughout, too. Returns the distance in the middle.
-double SegmentEnvelope::chooseNear(
-  const FaceDistance& face, Vec2 middle, double length, double value)
-{
-  const std::vector<DistanceCandidate>& candidates = face.candidates();
-  this->inMiddle_.clear();
-  double least = Infinity;
-  for (const DistanceCandidate& c : candidates)
-  {
-    this->inMiddle_.push_back(c.distance(middle));
-    least = std::min(least, this->inMiddle_.back());
-  }
-  const double bound = std::min(least + length, value + 0.5 * length) * (1.0 + tolerance::Tie);
-  this->near_.clear();
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-  {
-    if (this->inMiddle_[i] <= bound)
-    {
-      this->near_.push_back(&candidates[i]);
-    }
-  }
-  return least;
 }
 
 void SegmentEnvelope::cutNear(Vec2 p, Vec2 u, double length, bool withBent)
@@ -321,7 +287,7 @@ void SegmentEnvelope::findCrossings(const FaceDistance& face, Vec2 p, Vec2 q, do
   const double length = norm(q - p);
   if (length > 0.0 && face.isExact())
   {
-    const double inMiddle = this->chooseNear(face, 0.5 * (p + q), length, value);
+    const double inMiddle = this->near_.choose(face, 0.5 * (p + q), 0.5 * length, value);
     this->cutNear(p, (1.0 / length) * (q - p), length, false);
     if (this->findSublevels(length, value) && this->isBelow(0.0) == beginsBelow &&
       this->isBelow(length) == endsBelow && this->isBelow(0.5 * length) == (inMiddle < value))
