@@ -113,8 +113,8 @@ public:
   /// that meet in the point, angles are not scaled, but measured from the nearer segment. A fan
   /// without a segment has the angles of a single point.
   ///
-  /// Behind a pseudo-source it is the angle of the path to the pseudo-source. On the source itself
-  /// it has no meaning.
+  /// Behind a pseudo-source it is the angle of the path to the pseudo-source. At a vertex on the
+  /// source it is 0; elsewhere on the source it has no meaning.
   ///
   /// Not thread-safe.
   ///

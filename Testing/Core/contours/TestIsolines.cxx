@@ -55,8 +55,13 @@ struct Drawn
 
   Isolines draw() const
   {
-    return isolinesOf(this->mesh, engineCurves(this->mesh, this->curves), this->values,
-      ChordFraction * this->largest);
+    const geodesic::DistanceField field =
+      solveForIsolines(this->mesh, engineCurves(this->mesh, this->curves), this->values);
+    EXPECT_FALSE(field.hasAllWindows()) << "only those that were missing are kept in addition";
+    geodesic::IsolineOptions options;
+    options.values = this->values;
+    options.chordTolerance = ChordFraction * this->largest;
+    return geodesic::drawIsolines(field, options);
   }
 };
 
