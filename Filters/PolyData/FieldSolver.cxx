@@ -63,30 +63,23 @@ struct FieldSolver
     return options;
   }
 
-  /// Solves again, with the windows of more faces kept, if windows are missing: where the distance
-  /// is not linear after all, which the solve finds, or where a border passes, which refinement
-  /// finds.
+  /// The solve keeps the windows where the distance is not linear. If refinement finds that a
+  /// border also passes elsewhere, solves again and keeps the windows there, too.
   SolvedSurface solveAndRefine() const
   {
-    const bool areBordersRefined = this->request.areBordersRefined;
-    PinnedFaces pinned(this->surface.partition,
-      areBordersRefined ? this->findFacesAtBorders() : std::vector<std::uint8_t>());
-    for (;;)
+    PinnedFaces pinned = this->request.areBordersRefined
+      ? this->findFacesAtBorders()
+      : PinnedFaces(this->surface.mesh().numberOfFaces(), 0);
+    SolvedSurface solved;
+    do
     {
-      SolvedSurface solved;
+      solved = SolvedSurface(); // to have memory for the next
       const FrontOptions options = this->frontOptions(Stage::Solve);
-      solved.field = trySolveForRefinement(this->surface.partition,
-        this->inputs.sourceWindows(options.job), this->request.tolerance, options, pinned);
-      if (!solved.field)
-      {
-        continue;
-      }
+      solved.field.emplace(solveForRefinement(this->surface.partition,
+        this->inputs.sourceWindows(options.job), this->request.tolerance, options, pinned));
       this->refine(solved);
-      if (!areBordersRefined || !pinned.pin(solved.refined.mesh.unknownAtBorders))
-      {
-        return solved;
-      }
-    }
+    } while (pinMissing(this->surface.partition, solved.refined.mesh.unknownAtBorders, pinned));
+    return solved;
   }
 
   /// With the windows of these faces.
@@ -101,7 +94,7 @@ struct FieldSolver
   }
 
   /// By an exact solve that keeps no windows.
-  std::vector<std::uint8_t> findFacesAtBorders() const
+  PinnedFaces findFacesAtBorders() const
   {
     FrontOptions options = this->frontOptions(Stage::FindBorders);
     options.relativeError = 0.0;

@@ -434,9 +434,13 @@ geodesic::DistanceField solveField(const geodesic::TriangleMesh& mesh,
   const std::vector<geodesic::SourceCurve>& curves, double refinementTolerance,
   const geodesic::FrontOptions& options)
 {
-  return refinementTolerance > 0.0
-    ? geodesic::solveForRefinement(mesh, curves, refinementTolerance, options)
-    : geodesic::solve(mesh, curves, options);
+  if (!(refinementTolerance > 0.0))
+  {
+    return geodesic::solve(mesh, curves, options);
+  }
+  geodesic::PinnedFaces pinned(mesh.numberOfFaces(), 0);
+  return geodesic::solveForRefinement(geodesic::MeshPartition(mesh),
+    geodesic::startingWindows(mesh, curves, options.job), refinementTolerance, options, pinned);
 }
 
 /// The same, of the field of a solve; solves anew where not all windows were kept.

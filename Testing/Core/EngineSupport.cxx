@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EngineSupport.h"
 
+#include "contours/SolveForIsolines.h"
 #include "mesh/FaceShape.h"
 #include "mesh/FacesWithoutArea.h"
+#include "refinement/SolveForRefinement.h"
 #include "source/PolylineLocator.h"
 
 #include <gtest/gtest.h>
@@ -173,6 +175,29 @@ geodesic::DistanceField solveKeepingAll(const geodesic::TriangleMesh& mesh,
   options.maximumDistance = maximumDistance;
   options.maximumMerged = maximumMerged;
   return geodesic::solve(mesh, curves, options, geodesic::KeepWindows::All);
+}
+
+geodesic::DistanceField solveForIsolines(const geodesic::TriangleMesh& mesh,
+  const std::vector<geodesic::SourceCurve>& curves, const std::vector<double>& values,
+  const geodesic::FrontOptions& options)
+{
+  return solveForIsolines(geodesic::MeshPartition(mesh),
+    geodesic::startingWindows(mesh, curves, options.job), values, options);
+}
+
+geodesic::DistanceField solveForRefinement(const geodesic::TriangleMesh& mesh,
+  const std::vector<geodesic::SourceCurve>& curves, double tolerance,
+  const geodesic::FrontOptions& options)
+{
+  return solveForRefinement(geodesic::MeshPartition(mesh),
+    geodesic::startingWindows(mesh, curves, options.job), tolerance, options);
+}
+
+geodesic::DistanceField solveForRefinement(const geodesic::MeshPartition& part,
+  const geodesic::SourceWindows& sources, double tolerance, const geodesic::FrontOptions& options)
+{
+  geodesic::PinnedFaces pinned(part.mesh().numberOfFaces(), 0);
+  return solveForRefinement(part, sources, tolerance, options, pinned);
 }
 
 EngineResult valuesOf(const geodesic::DistanceField& field, const std::vector<MeshPoint>& queries)

@@ -75,6 +75,17 @@ Sources boundarySources(const geodesic::TriangleMesh& mesh);
 geodesic::DistanceField solveKeepingAll(const geodesic::TriangleMesh& mesh,
   const std::vector<geodesic::SourceCurve>& curves, double relativeError = 0.0,
   double maximumDistance = geodesic::Infinity, double maximumMerged = geodesic::Infinity);
+/// Solve in one process for drawIsolines() and refine(), with few windows kept.
+geodesic::DistanceField solveForIsolines(const geodesic::TriangleMesh& mesh,
+  const std::vector<geodesic::SourceCurve>& curves, const std::vector<double>& values,
+  const geodesic::FrontOptions& options = {});
+geodesic::DistanceField solveForRefinement(const geodesic::TriangleMesh& mesh,
+  const std::vector<geodesic::SourceCurve>& curves, double tolerance,
+  const geodesic::FrontOptions& options = {});
+/// The same on one of several ranks.
+geodesic::DistanceField solveForRefinement(const geodesic::MeshPartition& part,
+  const geodesic::SourceWindows& sources, double tolerance,
+  const geodesic::FrontOptions& options = {});
 
 /// Distances computed by the engine, in the brute force's format.
 struct EngineResult

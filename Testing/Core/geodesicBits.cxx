@@ -175,8 +175,8 @@ private:
     geodesic::IsolineOptions options;
     options.values = { 0.2 * this->largest_, 0.5 * this->largest_, 0.8 * this->largest_ };
     options.chordTolerance = 1e-4 * this->largest_;
-    const geodesic::Isolines drawn = geodesic::drawIsolines(
-      geodesic::solveForIsolines(this->mesh_, this->curves_, options.values), options);
+    const geodesic::Isolines drawn =
+      geodesic::drawIsolines(solveForIsolines(this->mesh_, this->curves_, options.values), options);
     Hash hash;
     this->addPlaces(drawn.points, hash);
     for (const geodesic::Isoline& line : drawn.lines)
@@ -190,8 +190,8 @@ private:
   {
     geodesic::RefinementOptions options;
     options.tolerance = 1e-3 * this->largest_;
-    const geodesic::RefinedMesh refined = geodesic::refine(
-      geodesic::solveForRefinement(this->mesh_, this->curves_, options.tolerance), options);
+    const geodesic::RefinedMesh refined =
+      geodesic::refine(solveForRefinement(this->mesh_, this->curves_, options.tolerance), options);
     Hash hash;
     hash.add(refined.triangles);
     hash.add(refined.errorBound);

@@ -450,7 +450,6 @@ private:
   void crossStraight(const FacePart& part)
   {
     IsolinePieces& result = this->task.result;
-    ++result.partsCrossedStraight;
     const std::size_t count = part.outline.size();
     for (std::size_t i = 0; i < count; ++i)
     {

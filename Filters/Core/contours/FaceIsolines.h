@@ -37,8 +37,6 @@ struct IsolinePieces
   std::vector<Piece> pieces;
   std::vector<Id> ids;
   std::vector<SurfacePoint> points;
-  /// How many parts of faces were so small that they were crossed straight.
-  std::size_t partsCrossedStraight = 0;
 };
 
 /// What the drawing of several faces shares.

@@ -46,7 +46,6 @@ public:
       this->ids_.push_back(id < this->edgePoints_ ? id : id + shift);
     }
     this->points_.insert(this->points_.end(), drawn.points.begin(), drawn.points.end());
-    this->result_.partsCrossedStraight += drawn.partsCrossedStraight;
   }
 
   Isolines run()

@@ -39,7 +39,6 @@ public:
     }
     this->result.points = isolines.points;
     this->result.linesWithoutDirection = isolines.linesWithoutDirection;
-    this->result.partsCrossedStraight = isolines.partsCrossedStraight;
   }
 
   /// A closed line that is cut begins where its side changes. Parts on the right-hand side are

@@ -10,7 +10,6 @@
 #include "field/SegmentEnvelope.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace geodesic
 {
@@ -200,21 +199,20 @@ private:
   {
     std::vector<EdgePoint> points;
     SegmentEnvelope envelope;
-    std::vector<DistanceCandidate> memory;
+    FaceDistance distance(this->field_);
     for (std::size_t i = first; i < last; ++i)
     {
       job.look();
-      this->addEdgePoints(this->faces_[i], envelope, memory, points);
+      this->addEdgePoints(this->faces_[i], envelope, distance, points);
     }
     return points;
   }
 
   /// Computes the points of those edges that are named by a halfedge of the face. Where the
   /// distance has a value on an edge, the ranges of all faces at the edge hold it.
-  void addEdgePoints(Id face, SegmentEnvelope& envelope, std::vector<DistanceCandidate>& memory,
+  void addEdgePoints(Id face, SegmentEnvelope& envelope, FaceDistance& distance,
     std::vector<EdgePoint>& points) const
   {
-    std::optional<FaceDistance> distance;
     const bool hasSource = !this->field_.sourcesIn(face).empty();
     std::vector<SegmentCrossing> crossings;
     for (const Id halfedge : TriangleMesh::halfedgesOf(face))
@@ -230,31 +228,24 @@ private:
       {
         continue;
       }
-      if (!distance)
-      {
-        distance.emplace(this->field_, face, std::move(memory));
-      }
+      distance.enter(face);
       const std::size_t k = TriangleMesh::indexInFace(halfedge);
-      const Vec2 p = distance->inPlane(cornerWeights(k));
-      const Vec2 q = distance->inPlane(cornerWeights((k + 1) % 3));
+      const Vec2 p = distance.inPlane(cornerWeights(k));
+      const Vec2 q = distance.inPlane(cornerWeights((k + 1) % 3));
       const PlaneLine line = { p, length > 0.0 ? (1.0 / length) * (q - p) : Vec2{} };
       for (std::size_t value = first; value < last; ++value)
       {
         crossings.clear();
-        envelope.findCrossings(*distance, p, q, this->levels_[value], this->isBelow(ends[0], value),
+        envelope.findCrossings(distance, p, q, this->levels_[value], this->isBelow(ends[0], value),
           this->isBelow(ends[1], value), crossings);
         for (const SegmentCrossing& crossing : crossings)
         {
           const double at =
-            crossingByDistance(*distance, line, length, this->levels_[value], crossing.at);
+            crossingByDistance(distance, line, length, this->levels_[value], crossing.at);
           const double fraction = length > 0.0 ? std::min(1.0, at / length) : 0.5;
           points.push_back({ halfedge, static_cast<Id>(value), fraction, crossing.rises });
         }
       }
-    }
-    if (distance)
-    {
-      memory = distance->releaseMemory();
     }
   }
 
@@ -263,12 +254,11 @@ private:
     IsolineTask task = { this->mesh_, static_cast<Id>(this->edgePoints_.size()),
       this->options_.chordTolerance, job, LevelArrangement(job), {} };
     std::vector<OutlinePoint> outline;
-    std::vector<DistanceCandidate> memory;
+    FaceDistance distance(this->field_);
     for (std::size_t i = first; i < last; ++i)
     {
       const Id face = this->faces_[i];
       const bool hasSource = !this->field_.sourcesIn(face).empty();
-      std::optional<FaceDistance> distance;
       const auto [from, to] = this->rangeOf(face).indicesIn(this->levels_);
       for (std::size_t value = from; value < to; ++value)
       {
@@ -279,15 +269,8 @@ private:
         {
           continue;
         }
-        if (!distance)
-        {
-          distance.emplace(this->field_, face, std::move(memory));
-        }
-        drawInFace(*distance, this->levels_[value], static_cast<Id>(value), outline, below, task);
-      }
-      if (distance)
-      {
-        memory = distance->releaseMemory();
+        distance.enter(face);
+        drawInFace(distance, this->levels_[value], static_cast<Id>(value), outline, below, task);
       }
     }
     return std::move(task.result);

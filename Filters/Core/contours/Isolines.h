@@ -43,8 +43,6 @@ struct Isolines
   /// The number of lines that cross faces of opposite orientation, so that their direction has no
   /// meaning.
   std::size_t linesWithoutDirection = 0;
-  /// The number of tiny parts of faces that lines cross straight because of roundings.
-  std::size_t partsCrossedStraight = 0;
 };
 
 /// Draws the isolines of a field: in each face arcs around unfolded sources and straight pieces,

@@ -55,9 +55,8 @@ void LevelArrangement::assign(const FaceLevel& level, bool withBent, double offs
   {
     if (withBent && c.hasPencil())
     {
-      using Kind = DistanceCandidate::Kind;
-      this->addRegion({ Kind::Cone, c.atBegin, c.begin, {}, {}, 0.0, 0.0 }, offset);
-      this->addRegion({ Kind::Cone, c.atEnd, c.end, {}, {}, 0.0, 0.0 }, offset);
+      this->addRegion(DistanceCandidate::cone(c.begin, c.atBegin), offset);
+      this->addRegion(DistanceCandidate::cone(c.end, c.atEnd), offset);
     }
   }
   this->findExtents();

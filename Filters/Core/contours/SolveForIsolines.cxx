@@ -2,10 +2,8 @@
 #include "contours/SolveForIsolines.h"
 
 #include "Tolerance.h"
-#include "field/DistanceField.h"
 #include "field/DistanceRange.h"
-#include "field/PinnedFaces.h"
-#include "front/Retention.h"
+#include "field/SolveDropping.h"
 
 #include <algorithm>
 
@@ -18,16 +16,15 @@ namespace
 /// Keeps the windows of faces whose range of distances may contain one of some values, and stops
 /// the front beyond the largest value.
 ///
-/// A list is kept or dropped when it has passed, by the distances known at that time. If later
-/// paths shorten distances of the face so that its range contains a value after all, the dropped
-/// windows are missing: then the face must be pinned and the solve repeated.
-class IsolineRetention : public Retention
+/// A list is kept or dropped when it has passed. If later paths shorten distances of the face so
+/// that its range contains a value after all, the dropped windows are missing.
+class IsolineRetention : public DroppingRetention
 {
 public:
   /// \param values ascending, must outlive this.
-  /// \param pinned for each face, not 0 if its windows must not be dropped; must outlive this.
-  IsolineRetention(const MeshPartition& surface, const std::vector<double>& values,
-    const std::vector<std::uint8_t>& pinned)
+  /// \param pinned must outlive this.
+  IsolineRetention(
+    const MeshPartition& surface, const std::vector<double>& values, const PinnedFaces& pinned)
     : surface_(surface)
     , values_(values)
     , pinned_(pinned)
@@ -39,7 +36,6 @@ public:
       this->kept_.faces.begin() + surface.endOfOwnFaces(), std::uint8_t(1));
   }
 
-  bool needsInside() const override { return true; }
   double neededDistance() const override { return this->neededDistance_; }
   void start(std::size_t districts, const std::vector<SourceInFace>& sources) override
   {
@@ -62,15 +58,11 @@ public:
       if (!this->kept_.faces[face] &&
         this->mayHoldValue(face, front.distances, this->neededDistance_))
       {
-        this->droppedTooEarly_.push_back(face);
+        this->missing_.push_back(face);
       }
     }
     this->kept_.windows.index(this->surface_.mesh().numberOfHalfedges());
   }
-
-  KeptWindows release() { return std::move(this->kept_); }
-  /// Faces whose windows were dropped although a value may be in them.
-  const std::vector<Id>& droppedTooEarly() const { return this->droppedTooEarly_; }
 
 private:
   bool mayHoldValue(Id face, const VertexNumbers& distances, double certain) const
@@ -107,38 +99,21 @@ private:
 
   const MeshPartition& surface_;
   const std::vector<double>& values_;
-  const std::vector<std::uint8_t>& pinned_;
+  const PinnedFaces& pinned_;
   double neededDistance_;
   std::vector<std::uint8_t> hasSource_;
   /// The lists that each district has handed over in this batch.
   std::vector<std::vector<PassedList>> passed_;
-  std::vector<Id> droppedTooEarly_;
-  KeptWindows kept_;
 };
 
 } // anonymous namespace
 
 DistanceField solveForIsolines(const MeshPartition& surface, const SourceWindows& sources,
-  const std::vector<double>& values, const FrontOptions& options, int maximumDroppingSolves)
+  const std::vector<double>& values, const FrontOptions& options)
 {
-  PinnedFaces pinned(surface, {}, maximumDroppingSolves);
-  while (!pinned.areAllPinned())
-  {
-    IsolineRetention retention(surface, values, pinned.faces());
-    FrontResult front = propagate(surface, sources, options, retention);
-    if (!pinned.pinTooEarly(retention.droppedTooEarly()))
-    {
-      return { surface, std::move(front), retention.release() };
-    }
-  }
-  return solveKeeping(surface, sources, options, surface.ownFaces());
-}
-
-DistanceField solveForIsolines(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
-  const std::vector<double>& values, const FrontOptions& options, int maximumDroppingSolves)
-{
-  return solveForIsolines(MeshPartition(mesh), startingWindows(mesh, sources, options.job), values,
-    options, maximumDroppingSolves);
+  PinnedFaces pinned(surface.mesh().numberOfFaces(), 0);
+  return solveDropping(surface, sources, options, pinned,
+    [&](const PinnedFaces& now) { return IsolineRetention(surface, values, now); });
 }
 
 }

@@ -60,57 +60,62 @@ double DistanceCandidate::distance(Vec2 p) const
   {
     return norm(p - nearestOnSegment(this->begin, this->end, p));
   }
-  const bool linear = this->kind == Kind::Linear;
   const Vec2 fromBegin = p - this->begin;
-  if (cross(linear ? this->source : this->begin - this->source, fromBegin) > 0.0)
+  if (cross(this->rayAtBegin(), fromBegin) > 0.0)
   {
     return this->atBegin + norm(fromBegin);
   }
   const Vec2 fromEnd = p - this->end;
-  if (cross(linear ? this->source : this->end - this->source, fromEnd) < 0.0)
+  if (cross(this->rayAtEnd(), fromEnd) < 0.0)
   {
     return this->atEnd + norm(fromEnd);
   }
-  return this->sigma + (linear ? dot(this->source, p) : norm(p - this->source));
+  return this->sigma + (this->kind == Kind::Linear ? dot(this->source, p) : norm(p - this->source));
 }
 
-FaceDistance::FaceDistance(
-  const DistanceField& field, Id face, std::vector<DistanceCandidate> memory)
-  : mesh_(&field.mesh())
-  , exact_(field.relativeErrorBound() == 0.0)
-  , face_(face)
-  , frame_(longestHalfedge(field.mesh(), face))
-  , candidates_(std::move(memory))
+FaceDistance::FaceDistance(const DistanceField& field)
+  : field_(field)
+  , mesh_(field.mesh())
 {
-  if (!field.hasWindows())
+}
+
+void FaceDistance::enter(Id face)
+{
+  if (face == this->face_)
+  {
+    return;
+  }
+  if (!this->field_.hasWindows())
   {
     throw Error("The distance inside faces was asked for, but the solve kept no windows.");
   }
+  this->face_ = face;
+  this->frame_ = longestHalfedge(this->mesh_, face);
   this->candidates_.clear();
   for (Id k = 0; k < 3; ++k)
   {
-    this->addHalfedge(field, TriangleMesh::halfedgeOf(face, k));
+    this->addHalfedge(TriangleMesh::halfedgeOf(face, k));
   }
   this->firstCorner_ = this->candidates_.size();
   for (std::size_t k = 0; k < 3; ++k)
   {
-    this->candidates_.push_back(
-      { DistanceCandidate::Kind::Cone, field.vertexDistances()[this->mesh_->triangle(face)[k]],
-        this->inPlane(cornerWeights(k)), {}, {}, 0.0, 0.0 });
+    this->candidates_.push_back(DistanceCandidate::cone(this->inPlane(cornerWeights(k)),
+      this->field_.vertexDistances()[this->mesh_.triangle(face)[k]]));
   }
-  for (const SourceInFace& source : field.sourcesIn(face))
+  for (const SourceInFace& source : this->field_.sourcesIn(face))
   {
     const Vec2 a = this->inPlane(source.a);
-    const auto kind =
-      source.a == source.b ? DistanceCandidate::Kind::Cone : DistanceCandidate::Kind::Segment;
-    this->candidates_.push_back({ kind, 0.0, a, a, this->inPlane(source.b), 0.0, 0.0 });
+    this->candidates_.push_back(source.a == source.b
+        ? DistanceCandidate::cone(a, 0.0)
+        : DistanceCandidate{
+            DistanceCandidate::Kind::Segment, 0.0, a, a, this->inPlane(source.b), 0.0, 0.0 });
   }
 }
 
-void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge)
+void FaceDistance::addHalfedge(Id halfedge)
 {
-  const WindowRuns windows = field.windowsOn(halfedge);
-  const double length = this->mesh_->length(halfedge);
+  const WindowRuns windows = this->field_.windowsOn(halfedge);
+  const double length = this->mesh_.length(halfedge);
   if (windows.empty() || !(length > 0.0))
   {
     return;
@@ -120,7 +125,7 @@ void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge)
   const Vec2 end = this->inPlane(cornerWeights((k + 1) % 3));
   const Vec2 along = (1.0 / length) * (end - origin);
   const Vec2 into = { -along.y, along.x };
-  const double rounding = tolerance::PlaceRounding * this->mesh_->shape(this->face_).longest();
+  const double rounding = tolerance::PlaceRounding * this->mesh_.shape(this->face_).longest();
   for (const Window& w : windows)
   {
     DistanceCandidate c;
@@ -161,18 +166,36 @@ double FaceDistance::distance(Vec2 p) const
   return std::max(least, 0.0);
 }
 
-const FaceDistance& enterFace(
-  std::optional<FaceDistance>& distance, const DistanceField& field, Id face)
+double NearCandidates::choose(const FaceDistance& face, Vec2 middle, double radius, double value)
 {
-  if (!distance)
+  const std::vector<DistanceCandidate>& candidates = face.candidates();
+  this->inMiddle_.clear();
+  double least = Infinity;
+  for (const DistanceCandidate& c : candidates)
   {
-    distance.emplace(field, face);
+    this->inMiddle_.push_back(c.distance(middle));
+    least = std::min(least, this->inMiddle_.back());
   }
-  else if (distance->face() != face)
+  const double bound = std::min(least + 2.0 * radius, value + radius) * (1.0 + tolerance::Tie);
+  this->near_.clear();
+  for (std::size_t i = 0; i < candidates.size(); ++i)
   {
-    distance.emplace(field, face, distance->releaseMemory());
+    if (this->inMiddle_[i] <= bound)
+    {
+      this->near_.push_back(&candidates[i]);
+    }
   }
-  return *distance;
+  return least;
+}
+
+double NearCandidates::distance(Vec2 p) const
+{
+  double least = Infinity;
+  for (const DistanceCandidate* c : this->near_)
+  {
+    least = std::min(least, c->distance(p));
+  }
+  return least;
 }
 
 }

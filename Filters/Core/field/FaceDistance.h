@@ -5,8 +5,6 @@
 #include "field/DistanceField.h"
 #include "mesh/HalfedgeFrame.h"
 
-#include <array>
-#include <optional>
 #include <vector>
 
 namespace geodesic
@@ -32,6 +30,11 @@ struct DistanceCandidate
     Segment
   };
 
+  static DistanceCandidate cone(Vec2 apex, double distance)
+  {
+    return { Kind::Cone, distance, apex, {}, {}, 0.0, 0.0 };
+  }
+
   Kind kind;
   double sigma;
   Vec2 source;
@@ -45,36 +48,55 @@ struct DistanceCandidate
   /// Whether its straight paths reach only the points between the rays at the ends of a window.
   bool hasPencil() const { return this->kind == Kind::Circular || this->kind == Kind::Linear; }
 
+  /// The directions of a pencil's rays at both ends of the window, of any length.
+  Vec2 rayAtBegin() const
+  {
+    return this->kind == Kind::Linear ? this->source : this->begin - this->source;
+  }
+  Vec2 rayAtEnd() const
+  {
+    return this->kind == Kind::Linear ? this->source : this->end - this->source;
+  }
+
   /// Length of the shortest path to a point of the face: straight if the point lies in the pencil,
   /// otherwise bent at an end of the window.
   double distance(Vec2 p) const;
 };
 
-/// The distance in one face, as the least of its candidates.
+/// The distance in one face, as the least of its candidates. Goes from face to face in the same
+/// memory.
 ///
 /// Coordinates are those of one plane that holds the face, the frame of its longest halfedge.
 class FaceDistance
 {
 public:
+  /// In no face yet.
+  ///
   /// \param field with windows kept; must outlive this.
-  /// \param face one whose corners have finite distances.
-  /// \param memory for the candidates: that of another face, see releaseMemory().
-  /// \throws Error if no windows were kept.
-  FaceDistance(const DistanceField& field, Id face, std::vector<DistanceCandidate> memory = {});
+  explicit FaceDistance(const DistanceField& field);
+  FaceDistance(const DistanceField& field, Id face)
+    : FaceDistance(field)
+  {
+    this->enter(face);
+  }
 
+  /// Goes to a face whose corners have finite distances; nothing to do if it is there already.
+  ///
+  /// \throws Error if no windows were kept.
+  void enter(Id face);
   Id face() const { return this->face_; }
 
   /// Whether the field is exact. In an approximate field the faces around a point may have
   /// different distances there.
-  bool isExact() const { return this->exact_; }
+  bool isExact() const { return this->field_.relativeErrorBound() == 0.0; }
 
   /// A point of the face in the plane.
   Vec2 inPlane(const Barycentric& point) const
   {
-    return inHalfedgeFrame(*this->mesh_, this->frame_, point);
+    return inHalfedgeFrame(this->mesh_, this->frame_, point);
   }
   /// The coordinates in the face of a point of the plane.
-  Barycentric fromPlane(Vec2 p) const { return fromHalfedgeFrame(*this->mesh_, this->frame_, p); }
+  Barycentric fromPlane(Vec2 p) const { return fromHalfedgeFrame(this->mesh_, this->frame_, p); }
 
   const std::vector<DistanceCandidate>& candidates() const { return this->candidates_; }
   /// Whether a candidate is a corner at which no shortest path bends. Then others are as short
@@ -83,32 +105,45 @@ public:
   bool isRegularCorner(std::size_t candidate) const
   {
     const std::size_t k = candidate - this->firstCorner_;
-    return k < 3 &&
-      this->candidates_[candidate].sigma > this->mesh_->shape(this->face_).longest() &&
-      this->mesh_->pseudoSource(this->mesh_->triangle(this->face_)[k]) ==
+    return k < 3 && this->candidates_[candidate].sigma > this->mesh_.shape(this->face_).longest() &&
+      this->mesh_.pseudoSource(this->mesh_.triangle(this->face_)[k]) ==
       TriangleMesh::PseudoSource::None;
   }
-  std::vector<DistanceCandidate> releaseMemory() { return std::move(this->candidates_); }
 
   /// The distance at a point of the face.
   double distance(Vec2 p) const;
 
 private:
-  void addHalfedge(const DistanceField& field, Id halfedge);
+  void addHalfedge(Id halfedge);
 
-  const TriangleMesh* mesh_;
-  bool exact_;
-  Id face_;
-  Id frame_;
+  const DistanceField& field_;
+  const TriangleMesh& mesh_;
+  Id face_ = NoId;
+  Id frame_ = NoId;
   std::vector<DistanceCandidate> candidates_;
-  std::size_t firstCorner_;
+  std::size_t firstCorner_ = 0;
 };
 
-/// Goes from one face to the next, in the same memory; the distance in the last face stays.
-///
-/// \param distance that in the last face, always of this field.
-const FaceDistance& enterFace(
-  std::optional<FaceDistance>& distance, const DistanceField& field, Id face);
+/// The candidates that may be the least near a point. Slopes are at most 1: a candidate that is
+/// longer than the distance there by more than twice the radius is longer within the radius.
+class NearCandidates
+{
+public:
+  /// \param value only places where the distance is below the value matter.
+  /// \returns the distance in the middle.
+  double choose(const FaceDistance& face, Vec2 middle, double radius, double value = Infinity);
+
+  /// The distance at a point within the radius.
+  double distance(Vec2 p) const;
+
+  std::size_t size() const { return this->near_.size(); }
+  auto begin() const { return this->near_.begin(); }
+  auto end() const { return this->near_.end(); }
+
+private:
+  std::vector<const DistanceCandidate*> near_;
+  std::vector<double> inMiddle_;
+};
 
 }
 

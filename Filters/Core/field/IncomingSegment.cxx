@@ -50,6 +50,44 @@ WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest)
   return { isBent, isBent || norm(ray) < tolerance::NearEdge * norm(d) ? d : ray };
 }
 
+/// What the choice between ways to a point depends on.
+struct Choice
+{
+  Kind kind = Kind::None;
+  double distance = Infinity;
+  /// The length of the way's straight end.
+  double straight = 0.0;
+};
+
+/// Whether way a is better than way b: shorter or, where rounding hides which one is shorter, the
+/// one that gives the better direction.
+bool isBetter(const Choice& a, const Choice& b, double faceSize)
+{
+  const double size = a.distance + faceSize;
+  const double difference = std::abs(a.distance - b.distance);
+  const bool isOneFromCorner = (a.kind == Kind::Corner) != (b.kind == Kind::Corner);
+
+  // A long straight end gives the best direction.
+  const bool isOneStraighter = std::abs(a.straight - b.straight) > tolerance::Tie * size;
+  if (isOneStraighter && difference <= tolerance::Tie * size)
+  {
+    return a.straight > b.straight;
+  }
+  // A corner as near as rounding gives no direction. Nor does a corner that is so near to the
+  // source: the way past the corner is shorter, unless rounding hides that.
+  if (isOneFromCorner)
+  {
+    const double rounding = tolerance::PlaceRounding * size;
+    return a.distance < b.distance + (a.kind == Kind::Corner ? -rounding : rounding);
+  }
+  // Rounding alone tells which of the two is shorter.
+  if (difference <= tolerance::SameLength * size)
+  {
+    return a.straight > b.straight;
+  }
+  return a.distance < b.distance;
+}
+
 /// Looks for the shortest way to one point.
 class LastPieceSearch
 {
@@ -61,25 +99,18 @@ public:
   {
   }
 
-  /// Looks at all ways through the face.
-  void comeThrough(Id face)
+  /// Looks at the ways to the point through a face.
+  ///
+  /// \param only one kind of ways; None: all.
+  void look(Id face, Kind only = Kind::None)
   {
     this->enter(face);
     forEachWay(this->field_, face, this->point_,
       [&](const WayIntoFace& way)
-      { way.kind == Kind::Window ? this->takeWindow(way) : this->takeStart(way); });
-  }
-
-  /// Looks at the ways from sources in the face, or at those from its corners.
-  void comeFrom(Kind start, Id face)
-  {
-    this->enter(face);
-    forEachStart(this->field_, face, this->point_, this->inFace_,
-      [&](const WayIntoFace& way)
       {
-        if (way.kind == start)
+        if (only == Kind::None || way.kind == only)
         {
-          this->takeStart(way);
+          way.kind == Kind::Window ? this->takeWindow(way) : this->takeStart(way);
         }
       });
   }
@@ -147,7 +178,7 @@ private:
   /// A piece from a source or from a corner.
   void takeStart(const WayIntoFace& way)
   {
-    if (!this->improve(way.kind, way.distance, way.length))
+    if (!this->improve({ way.kind, way.distance, way.length }))
     {
       return;
     }
@@ -170,7 +201,7 @@ private:
     // At an edge of three and more faces the path may have come through any of the others.
     const bool isUnsure = way.isBehind && !this->mesh_.isInner(way.halfedge);
     const double straight = w.isLinear() ? way.distance : way.distance - w.sigma;
-    if (this->improve(Kind::Window, way.distance, isUnsure || from.isBent ? 0.0 : straight))
+    if (this->improve({ Kind::Window, way.distance, isUnsure || from.isBent ? 0.0 : straight }))
     {
       const IncomingRay ray = { way.halfedge, false, way.x, from.direction };
       this->best_.ray = way.isBehind ? acrossEdge(this->mesh_, ray) : ray;
@@ -180,27 +211,17 @@ private:
     }
   }
 
-  // If ways are equally long but for rounding, the one whose end is straight the longest gives the
-  // best direction. A way from a corner as near as rounding gives none. Nor does one from a corner
-  // that is so near to the source: the way that passes it is shorter, unless rounding hides that.
-  bool improve(Kind kind, double distance, double straight)
+  /// Makes a way the best one if it is better.
+  bool improve(const Choice& way)
   {
-    const double shortest = this->best_.distance;
-    const double size = distance + this->faceSize_;
-    const bool isTie = std::abs(distance - shortest) <= tolerance::Tie * size;
-    const double ofCorner =
-      (kind == Kind::Corner ? 1.0 : 0.0) - (this->best_.kind == Kind::Corner ? 1.0 : 0.0);
-    const bool isAsStraight = std::abs(straight - this->straight_) <= tolerance::Tie * size &&
-      (ofCorner != 0.0 || std::abs(distance - shortest) > tolerance::SameLength * size);
-    const double least = shortest - ofCorner * tolerance::PlaceRounding * size;
-    if (!(isTie && !isAsStraight ? straight > this->straight_ : distance < least))
+    if (!isBetter(way, this->chosen_, this->faceSize_))
     {
       return false;
     }
     this->best_ = IncomingSegment();
-    this->best_.kind = kind;
-    this->best_.distance = std::min(distance, shortest);
-    this->straight_ = straight;
+    this->best_.kind = way.kind;
+    this->best_.distance = std::min(way.distance, this->chosen_.distance);
+    this->chosen_ = { way.kind, this->best_.distance, way.straight };
     return true;
   }
 
@@ -224,10 +245,9 @@ private:
   const TriangleMesh& mesh_;
   const SurfacePoint& point_;
   IncomingSegment best_;
+  Choice chosen_;
   /// The corner that the best piece comes from; NoId if it comes from elsewhere.
   Id corner_ = NoId;
-  /// The length of the straight end of the best way.
-  double straight_ = 0.0;
   /// The current face, and in it the point and the longest edge.
   Id face_ = NoId;
   Barycentric inFace_ = {};
@@ -248,12 +268,12 @@ void findAtVertex(const DistanceField& field, const SurfacePoint& point, LastPie
   // The path comes straight from a source in a face, or from a corner so near that rounding has
   // hidden the arrival. Once a source is found, corners as near as rounding must not be taken:
   // their own paths may come from this vertex.
-  forEachFace(field.mesh(), point, [&](Id face) { search.comeFrom(Kind::Source, face); });
+  forEachFace(field.mesh(), point, [&](Id face) { search.look(face, Kind::Source); });
   if (field.arrivals()[point.id].isKnown() && search.best().kind == Kind::Source)
   {
     return;
   }
-  forEachFace(field.mesh(), point, [&](Id face) { search.comeFrom(Kind::Corner, face); });
+  forEachFace(field.mesh(), point, [&](Id face) { search.look(face, Kind::Corner); });
 }
 
 // If vertices are at one place, but for rounding, the direction is known at the one that the paths
@@ -307,7 +327,7 @@ IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint
       if (field.knowsInside(face))
       {
         isKnown = true;
-        search.comeThrough(face);
+        search.look(face);
       }
     });
   if (!isKnown && !field.hasWindows())

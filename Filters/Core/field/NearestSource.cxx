@@ -6,7 +6,6 @@
 #include "field/NearestSourceOnRanks.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace geodesic
 {
@@ -26,7 +25,7 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
     const Id vertex = part.countedVertex(patch.globalId(on.vertex));
     if (vertex != NoId)
     {
-      this->origins_[vertex] = this->atPoint({ on.curve, false, on.parameter }, Infinity);
+      this->origins_[vertex] = this->atPoint({ on.curve, false, on.parameter });
     }
   }
   for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)
@@ -47,9 +46,7 @@ IncomingSegment NearestSource::originTo(Id vertex) const
 {
   const Arrival& arrival = this->field_.arrivals()[vertex];
   const auto isNear = [&]
-  {
-    return norm(arrival.direction) < tolerance::NearEdge * this->mesh_.length(arrival.halfedge);
-  };
+  { return norm(arrival.direction) < tolerance::NearEdge * this->mesh_.length(arrival.halfedge); };
   if (!arrival.isThroughWindow() || isNear() || cornerCrossed(this->mesh_, arrival) != NoId)
   {
     return incomingSegmentTo(this->field_, SurfacePoint::atVertex(vertex));
@@ -117,11 +114,11 @@ PathOrigin NearestSource::originOf(const IncomingSegment& piece)
   const RayOrigin origin = piece.origin;
   if (origin.isPoint())
   {
-    return { origin, RayStart::atAngle(angleAround(origin, piece.start, piece.rayOfWindow)) };
+    return { origin, true, RayStart::atAngle(angleAround(origin, piece.start, piece.rayOfWindow)) };
   }
   if (origin.isOnCurve())
   {
-    return { origin, piece.start };
+    return { origin, false, piece.start };
   }
   const VertexOnCurve* on =
     piece.kind == IncomingSegment::Kind::Corner ? this->onCurveAt(origin.vertex()) : nullptr;
@@ -145,7 +142,7 @@ PathOrigin NearestSource::atSource(const IncomingSegment& piece)
     const Vec2 along = inHalfedgeFrame(this->mesh_, piece.ray.halfedge, source.b) -
       inHalfedgeFrame(this->mesh_, piece.ray.halfedge, source.a);
     const bool isRight = cross(along, piece.ray.direction) < 0.0;
-    return { RayOrigin::curveSide(source.curve, isRight), RayStart::atParameter(parameter) };
+    return { RayOrigin::curveSide(source.curve, isRight), false, RayStart::atParameter(parameter) };
   }
   const double parameter = piece.along > 0.0 ? source.parameterOfB : source.parameterOfA;
   this->goToPoint(this->curves_.chains().pointAt(source.curve, parameter));
@@ -159,19 +156,20 @@ PathOrigin NearestSource::inSector(const IncomingSegment& piece)
     this->field_.surface().addressOf(TriangleMesh::faceOf(piece.ray.halfedge)));
   const Id halfedge = TriangleMesh::inCopy(piece.ray.halfedge, face);
   const SideOfCurve side = this->sectors_.of(halfedge, piece.ray.direction);
-  double around = Infinity;
+  PathOrigin path = this->atPoint(side);
   if (this->field_.hasAngles() && dot(piece.ray.direction, piece.ray.direction) > 0.0)
   {
-    this->goAround(this->curves_.chains().pointAt(side.curve, side.parameter));
-    around = this->directions_.around(halfedge, piece.ray.direction);
+    this->goAround(path.origin.point());
+    path.hasAngle = true;
+    path.start = RayStart::atAngle(this->directions_.around(halfedge, piece.ray.direction));
   }
-  return this->atPoint(side, around);
+  return path;
 }
 
-PathOrigin NearestSource::atPoint(const SideOfCurve& side, double around) const
+PathOrigin NearestSource::atPoint(const SideOfCurve& side) const
 {
   const Id point = this->curves_.chains().pointAt(side.curve, side.parameter);
-  return { RayOrigin::pointSide(point, side.isRight), RayStart::atAngle(around) };
+  return { RayOrigin::pointSide(point, side.isRight) };
 }
 
 void NearestSource::goAround(Id number)
@@ -238,12 +236,14 @@ Foot NearestSource::footOf(const PathOrigin& path) const
     const CurveChains::Point point = chains.pointWith(path.origin.point());
     foot.chain = point.chain;
     foot.parameter = chains.parameters(point.chain)[point.i];
+    foot.direction = path.hasAngle ? Foot::Direction::AroundPoint : Foot::Direction::None;
     foot.around = path.start.angle();
   }
   else
   {
     foot.chain = path.origin.curve();
     foot.parameter = path.start.parameter();
+    foot.direction = Foot::Direction::AcrossSegment;
   }
   foot.curve = chains.curveAt(foot.chain, foot.parameter);
   foot.isRight = path.origin.isRight() != chains.inChain(foot.curve).isReversed;
@@ -293,11 +293,11 @@ double NearestSource::angleOf(const Foot& foot)
   {
     throw Error("The angle of a path was asked for, but the solve did not keep angles.");
   }
-  if (std::isnan(foot.around))
+  if (foot.direction == Foot::Direction::AcrossSegment)
   {
     return foot.isRight ? -RightAngle : RightAngle;
   }
-  if (!(std::abs(foot.around) < Infinity))
+  if (foot.direction == Foot::Direction::None)
   {
     return 0.0;
   }

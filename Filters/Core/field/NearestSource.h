@@ -7,7 +7,7 @@
 #include "source/CurvesOnPatch.h"
 #include "source/DirectionsAround.h"
 
-#include <limits>
+#include <cstdint>
 #include <unordered_map>
 #include <vector>
 
@@ -27,10 +27,19 @@ struct Foot
   /// The chain that contains the curve, and the parameter there: the length from its beginning.
   Id chain = NoId;
   double parameter = 0.0;
-  /// If the path leaves a point of the curve: its angle around the point, not scaled
-  /// (DirectionsAround::around()). NaN if it leaves a segment at a right angle, infinite if it has
-  /// no direction.
-  double around = std::numeric_limits<double>::quiet_NaN();
+  /// How the path leaves the curve.
+  enum class Direction : std::uint8_t
+  {
+    /// The path has no length, or the field no angles.
+    None,
+    /// At a right angle to a segment.
+    AcrossSegment,
+    /// From a point of the curve, at the angle `around`.
+    AroundPoint
+  };
+  Direction direction = Direction::None;
+  /// Around the point, not scaled (DirectionsAround::around()).
+  double around = 0.0;
 
   bool isKnown() const { return this->curve != NoId; }
 };
@@ -41,6 +50,8 @@ struct Foot
 struct PathOrigin
 {
   RayOrigin origin = {};
+  /// Whether the path's direction at a curve's point is known.
+  bool hasAngle = false;
   RayStart start = {};
 };
 
@@ -102,8 +113,8 @@ public:
   /// that meet in the point, angles are not scaled, but measured from the nearer segment. A fan
   /// without a segment has the angles of a single point.
   ///
-  /// Behind a pseudo-source it is the angle of the path to the pseudo-source. On the source itself
-  /// it has no meaning.
+  /// Behind a pseudo-source it is the angle of the path to the pseudo-source. At a vertex on the
+  /// source it is 0; elsewhere on the source it has no meaning.
   ///
   /// Not thread-safe.
   ///
@@ -122,7 +133,7 @@ private:
   PathOrigin originOf(const IncomingSegment& piece);
   PathOrigin atSource(const IncomingSegment& piece);
   PathOrigin inSector(const IncomingSegment& piece);
-  PathOrigin atPoint(const SideOfCurve& side, double around) const;
+  PathOrigin atPoint(const SideOfCurve& side) const;
   void goAround(Id point);
   PathOrigin ofVertex(Id globalId) const;
   const VertexOnCurve* onCurveAt(Id globalId) const;

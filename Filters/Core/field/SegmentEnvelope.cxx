@@ -31,12 +31,14 @@ struct PlaneSegment
 /// The pieces of candidates along a segment, which the functions below append.
 using Pieces = std::vector<Window>;
 
-void addLinear(Pieces& pieces, double sigma, double slope, double depth, const Interval& x)
+/// \param atP the distance at the segment's begin.
+void addLinear(
+  Pieces& pieces, Vec2 rays, double atP, const PlaneSegment& segment, const Interval& x)
 {
   if (!x.isEmpty())
   {
-    pieces.push_back(
-      { x.begin, x.end, slope, std::abs(depth), sigma, 0.0, Window::Kind::Linear, 0 });
+    pieces.push_back({ x.begin, x.end, dot(rays, segment.u), std::abs(cross(rays, segment.u)), atP,
+      0.0, Window::Kind::Linear, 0 });
   }
 }
 
@@ -69,13 +71,12 @@ void addSource(Pieces& pieces, const DistanceCandidate& c, const PlaneSegment& s
   strip.clip(along, alongSlope);
   strip.clip(sourceLength - along, -alongSlope);
   strip.widen(tolerance::PencilMargin * length, length);
-  for (const double sign : { 1.0, -1.0 })
+  for (const Vec2 aside : { Vec2{ -t.y, t.x }, Vec2{ t.y, -t.x } })
   {
-    const double height = sign * cross(t, p - c.begin);
-    const double slope = sign * cross(t, u);
+    const double height = dot(aside, p - c.begin);
     Interval oneSide = strip;
-    oneSide.clip(height, slope);
-    addLinear(pieces, height, slope, alongSlope, oneSide);
+    oneSide.clip(height, dot(aside, u));
+    addLinear(pieces, aside, height, segment, oneSide);
   }
 }
 
@@ -85,9 +86,8 @@ void addPencil(
   Pieces& pieces, const DistanceCandidate& c, const PlaneSegment& segment, bool withBent)
 {
   const auto& [p, u, length] = segment;
-  const bool linear = c.kind == DistanceCandidate::Kind::Linear;
-  const Vec2 first = linear ? c.source : c.begin - c.source;
-  const Vec2 last = linear ? c.source : c.end - c.source;
+  const Vec2 first = c.rayAtBegin();
+  const Vec2 last = c.rayAtEnd();
   const double leftOfBegin = cross(first, p - c.begin);
   const double leftOfBeginSlope = cross(first, u);
   const double leftOfEnd = cross(last, p - c.end);
@@ -97,9 +97,9 @@ void addPencil(
   straight.clip(-leftOfBegin, -leftOfBeginSlope);
   straight.clip(leftOfEnd, leftOfEndSlope);
   straight.widen(margin, length);
-  if (linear)
+  if (c.kind == DistanceCandidate::Kind::Linear)
   {
-    addLinear(pieces, c.sigma + dot(c.source, p), dot(c.source, u), cross(c.source, u), straight);
+    addLinear(pieces, c.source, c.sigma + dot(c.source, p), segment, straight);
   }
   else
   {
@@ -232,51 +232,17 @@ const std::vector<Window>& SegmentEnvelope::along(const FaceDistance& face, Vec2
   {
     return this->envelope_;
   }
-  const double inMiddle = this->chooseNear(face, 0.5 * (p + q), length);
+  const double inMiddle = this->near_.choose(face, 0.5 * (p + q), 0.5 * length);
   const Vec2 u = (1.0 / length) * (q - p);
-  const auto leastAt = [this](Vec2 end)
-  {
-    double least = Infinity;
-    for (const DistanceCandidate* c : this->near_)
-    {
-      least = std::min(least, c->distance(end));
-    }
-    return least;
-  };
   const bool done = face.isExact() && this->build(p, u, length, false) &&
-    agrees(this->envelope_, 0.5 * length, inMiddle) && agrees(this->envelope_, 0.0, leastAt(p)) &&
-    agrees(this->envelope_, length, leastAt(q));
+    agrees(this->envelope_, 0.5 * length, inMiddle) &&
+    agrees(this->envelope_, 0.0, this->near_.distance(p)) &&
+    agrees(this->envelope_, length, this->near_.distance(q));
   if (!done)
   {
     this->build(p, u, length, true);
   }
   return this->envelope_;
-}
-
-// Leaves out candidates that are longer than the distance in the middle by more than the segment's
-// length: these are longer throughout. If only the places below a value matter, leaves out those
-// that are above it throughout, too. Returns the distance in the middle.
-double SegmentEnvelope::chooseNear(
-  const FaceDistance& face, Vec2 middle, double length, double value)
-{
-  const std::vector<DistanceCandidate>& candidates = face.candidates();
-  this->inMiddle_.clear();
-  double least = Infinity;
-  for (const DistanceCandidate& c : candidates)
-  {
-    this->inMiddle_.push_back(c.distance(middle));
-    least = std::min(least, this->inMiddle_.back());
-  }
-  const double bound = std::min(least + length, value + 0.5 * length) * (1.0 + tolerance::Tie);
-  this->near_.clear();
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-  {
-    if (this->inMiddle_[i] <= bound)
-    {
-      this->near_.push_back(&candidates[i]);
-    }
-  }
-  return least;
 }
 
 void SegmentEnvelope::cutNear(Vec2 p, Vec2 u, double length, bool withBent)
@@ -321,7 +287,7 @@ void SegmentEnvelope::findCrossings(const FaceDistance& face, Vec2 p, Vec2 q, do
   const double length = norm(q - p);
   if (length > 0.0 && face.isExact())
   {
-    const double inMiddle = this->chooseNear(face, 0.5 * (p + q), length, value);
+    const double inMiddle = this->near_.choose(face, 0.5 * (p + q), 0.5 * length, value);
     this->cutNear(p, (1.0 / length) * (q - p), length, false);
     if (this->findSublevels(length, value) && this->isBelow(0.0) == beginsBelow &&
       this->isBelow(length) == endsBelow && this->isBelow(0.5 * length) == (inMiddle < value))

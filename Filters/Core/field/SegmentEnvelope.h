@@ -53,14 +53,12 @@ private:
     bool endsAtValue;
   };
 
-  double chooseNear(const FaceDistance& face, Vec2 middle, double length, double value = Infinity);
   void cutNear(Vec2 p, Vec2 u, double length, bool withBent);
   bool build(Vec2 p, Vec2 u, double length, bool withBent);
   bool findSublevels(double length, double value);
   bool isBelow(double x) const;
 
-  std::vector<const DistanceCandidate*> near_;
-  std::vector<double> inMiddle_;
+  NearCandidates near_;
   std::vector<Window> pieces_;
   WindowListBuilder builder_;
   std::vector<Window> envelope_;

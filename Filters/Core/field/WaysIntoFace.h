@@ -6,6 +6,7 @@
 #include "mesh/HalfedgeFrame.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geodesic
 {
@@ -44,46 +45,36 @@ struct WayIntoFace
   bool isBehind = false;
 };
 
-/// Calls visit(const WayIntoFace&) for the ways to a point from sources, and from corners, but not
-/// the one that the point is at.
-///
-/// \param point the place in the face.
-template <typename Visit>
-void forEachStart(const DistanceField& field, Id face, const SurfacePoint& place,
-  const Barycentric& point, const Visit& visit)
-{
-  const TriangleMesh& mesh = field.mesh();
-  WayIntoFace way;
-  way.kind = WayIntoFace::Kind::Source;
-  for (const SourceInFace& source : field.sourcesIn(face))
-  {
-    way.source = &source;
-    way.begin = nearestOnSource(mesh, source, point);
-    way.length = distanceInFace(mesh, face, way.begin, point);
-    way.distance = way.length;
-    visit(way);
-  }
-  way.kind = WayIntoFace::Kind::Corner;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    way.vertex = mesh.triangle(face)[k];
-    if (place.kind != SurfacePoint::Kind::Vertex || place.id != way.vertex)
-    {
-      way.begin = cornerWeights(k);
-      way.length = distanceInFace(mesh, face, way.begin, point);
-      way.distance = field.vertexDistances()[way.vertex] + way.length;
-      visit(way);
-    }
-  }
-}
-
-/// The same for all ways to a point: the starts, and the ways through windows.
+/// Calls visit(const WayIntoFace&) for the ways to a point of a face, from sources, from corners
+/// and through windows, but not for the way from a corner that the point is at.
 template <typename Visit>
 void forEachWay(const DistanceField& field, Id face, const SurfacePoint& place, const Visit& visit)
 {
   const TriangleMesh& mesh = field.mesh();
   const Barycentric point = barycentric(mesh, place, face);
-  forEachStart(field, face, place, point, visit);
+  WayIntoFace start;
+  const auto visitFrom = [&](const Barycentric& begin, double distance)
+  {
+    start.begin = begin;
+    start.length = distanceInFace(mesh, face, begin, point);
+    start.distance = distance + start.length;
+    visit(std::as_const(start));
+  };
+  start.kind = WayIntoFace::Kind::Source;
+  for (const SourceInFace& source : field.sourcesIn(face))
+  {
+    start.source = &source;
+    visitFrom(nearestOnSource(mesh, source, point), 0.0);
+  }
+  start.kind = WayIntoFace::Kind::Corner;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    start.vertex = mesh.triangle(face)[k];
+    if (place.kind != SurfacePoint::Kind::Vertex || place.id != start.vertex)
+    {
+      visitFrom(cornerWeights(k), field.vertexDistances()[start.vertex]);
+    }
+  }
   WayIntoFace way;
   way.kind = WayIntoFace::Kind::Window;
   for (Id k = 0; k < 3; ++k)
@@ -97,7 +88,7 @@ void forEachWay(const DistanceField& field, Id face, const SurfacePoint& place, 
       way.x = window.crossing(p);
       way.length = norm(p - Vec2{ way.x, 0.0 });
       way.distance = std::max(window.distance(way.x), 0.0) + way.length;
-      visit(way);
+      visit(std::as_const(way));
     }
   }
 }

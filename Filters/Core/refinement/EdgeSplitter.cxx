@@ -26,8 +26,9 @@ void EdgeSplitter::forEachFaceToMeasure(Id edge, const Visit& visit)
     {
       if (!isDone && this->isFrozen_[face] == 0)
       {
-        visit(enterFace(this->face_, this->field_, face));
-        isDone = this->face_->isExact();
+        this->face_.enter(face);
+        visit(std::as_const(this->face_));
+        isDone = this->face_.isExact();
       }
     });
 }

@@ -8,7 +8,6 @@
 #include "refinement/DistanceAlongEdge.h"
 
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -48,6 +47,7 @@ public:
     , edges_(edges)
     , isFrozen_(isFrozen)
     , tolerance_(tolerance)
+    , face_(field)
   {
   }
 
@@ -74,7 +74,7 @@ private:
   const std::vector<std::uint8_t>& isFrozen_;
   double tolerance_;
   /// The last face, as neighbouring edges often ask for the same.
-  std::optional<FaceDistance> face_;
+  FaceDistance face_;
   SegmentEnvelope envelope_;
   /// The distance along the last edge.
   DistanceAlongEdge along_;

@@ -115,7 +115,7 @@ void FaceRefiner::enter(FaceTriangles& face)
 {
   this->face_ = &face;
   this->inside_.clear();
-  enterFace(this->distance_, this->field_, face.face());
+  this->distance_.enter(face.face());
   for (std::size_t k = 0; k < 3; ++k)
   {
     this->edgeOfSide_[k] = this->edges_.find(TriangleMesh::halfedgeOf(face.face(), k));
@@ -147,9 +147,9 @@ FaceTriangles::Point FaceRefiner::pointOnEdge(std::size_t side, Id number) const
   FaceTriangles::Point point;
   point.weights =
     barycentric(this->field_.mesh(), this->edges_.placeOf(number), this->face_->face());
-  point.place = this->distance_->inPlane(point.weights);
+  point.place = this->distance_.inPlane(point.weights);
   point.distance = on.distance;
-  point.here = this->distance_->isExact() ? on.distance : this->distance_->distance(point.place);
+  point.here = this->distance_.isExact() ? on.distance : this->distance_.distance(point.place);
   point.number = number;
   point.sides = static_cast<std::uint8_t>(1U << side);
   point.isForShape = on.isForShape;
@@ -413,12 +413,12 @@ void FaceRefiner::splitInside(const OpenPart& open, Id part, std::size_t k, doub
   const FaceTriangles::Point& end = this->face_->points()[b];
   FaceTriangles::Point point;
   point.weights = between(begin.weights, end.weights, weight);
-  point.place = this->distance_->inPlane(point.weights);
+  point.place = this->distance_.inPlane(point.weights);
   if (this->asksBeside(open, point, norm(end.place - begin.place)))
   {
     return;
   }
-  point.distance = this->distance_->distance(point.place);
+  point.distance = this->distance_.distance(point.place);
   point.here = point.distance;
   point.parents = { a, b };
   point.weight = weight;
@@ -499,9 +499,8 @@ const Deviation& FaceRefiner::measured(Id a, Id b)
   {
     const FaceTriangles::Point& begin = this->face_->points()[a];
     const FaceTriangles::Point& end = this->face_->points()[b];
-    found->second =
-      largestDeviation(this->envelope_.along(*this->distance_, begin.place, end.place),
-        norm(end.place - begin.place), begin.here, end.here);
+    found->second = largestDeviation(this->envelope_.along(this->distance_, begin.place, end.place),
+      norm(end.place - begin.place), begin.here, end.here);
   }
   return found->second;
 }
@@ -532,7 +531,7 @@ FaceRefiner::Check FaceRefiner::check(const Triangle& corners, bool isTight)
     return { false, Infinity, onSides.largest(), limit };
   }
   const ErrorInside inside =
-    this->error_.of(*this->distance_, linear, onSides, limit, isTight || isSmall);
+    this->error_.of(this->distance_, linear, onSides, limit, isTight || isSmall);
   const double own = std::max(inside.bound, onSides.largest());
   return { isSmall || own <= limit, own + rounding + difference, inside.sample, limit };
 }

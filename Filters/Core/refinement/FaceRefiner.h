@@ -10,7 +10,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <queue>
 #include <unordered_map>
 #include <vector>
@@ -61,6 +60,7 @@ public:
     , edges_(edges)
     , tolerance_(tolerance)
     , error_(field)
+    , distance_(field)
   {
   }
 
@@ -140,7 +140,7 @@ private:
   double tolerance_;
   TriangleError error_;
   SegmentEnvelope envelope_;
-  std::optional<FaceDistance> distance_;
+  FaceDistance distance_;
 
   // The face that is refined.
   FaceTriangles* face_ = nullptr;

@@ -38,8 +38,8 @@ double largestAtCorners(const TriangleMesh& mesh, Id face, const VertexNumbers& 
 
 } // anonymous namespace
 
-RefinementRetention::RefinementRetention(const MeshPartition& surface, double tolerance,
-  const std::vector<std::uint8_t>& pinned, const Job& job)
+RefinementRetention::RefinementRetention(
+  const MeshPartition& surface, double tolerance, const PinnedFaces& pinned, const Job& job)
   : surface_(surface)
   , mesh_(surface_.mesh())
   , job_(job)
@@ -139,7 +139,7 @@ void RefinementRetention::keep(Id face)
 {
   if (this->state_[face] == State::Dropped)
   {
-    this->droppedTooEarly_.push_back(face);
+    this->missing_.push_back(face);
   }
   this->state_[face] = State::Kept;
 }

@@ -3,8 +3,7 @@
 #define geodesic_RefinementRetention_h
 
 #include "Job.h"
-#include "front/Front.h"
-#include "front/Retention.h"
+#include "field/SolveDropping.h"
 #include "mesh/MeshPartition.h"
 #include "mesh/TriangleMesh.h"
 #include "refinement/FaceBounds.h"
@@ -25,29 +24,23 @@ namespace geodesic
 /// tolerance, it needs no windows, unless a neighbour is refined and splits its edges. Later
 /// windows only reduce the distance, so the bound of how far it is above the interpolant stays
 /// valid, while the bound below is updated. If that becomes too large and the earlier windows are
-/// gone, the face was dropped too early: the solve has to be repeated with the face pinned.
+/// gone, these are missing.
 ///
 /// If ranks share the surface, each looks after the faces that it owns. It knows nothing of the
 /// others, so faces beside them keep their windows.
-class RefinementRetention : public Retention
+class RefinementRetention : public DroppingRetention
 {
 public:
-  /// \param pinned for each face, whether its windows are never dropped.
   /// \param job of the front, for tests of faces between batches. The kept windows do not depend on
   ///        its threads.
-  RefinementRetention(const MeshPartition& surface, double tolerance,
-    const std::vector<std::uint8_t>& pinned, const Job& job = {});
+  RefinementRetention(
+    const MeshPartition& surface, double tolerance, const PinnedFaces& pinned, const Job& job = {});
 
-  bool needsInside() const override { return true; }
   void start(std::size_t districts, const std::vector<SourceInFace>& sources) override;
   void pass(std::size_t district, const PassedList& list, Id batch, WindowPool& pool) override;
   void shortenDistance(Id vertex) override;
   void advance(const FrontState& front) override;
   void finish(const FrontState& front) override;
-
-  KeptWindows release() { return std::move(this->kept_); }
-  /// Faces whose windows were dropped too early.
-  const std::vector<Id>& droppedTooEarly() const { return this->droppedTooEarly_; }
 
 private:
   enum class State : std::uint8_t
@@ -98,10 +91,8 @@ private:
   /// Faces that are due for a test, and the results.
   std::vector<Id> due_;
   std::vector<LinearFaceTest> results_;
-  std::vector<Id> droppedTooEarly_;
   /// The lists that each district has handed over in this batch.
   std::vector<std::vector<MeasuredList>> passed_;
-  KeptWindows kept_;
 };
 
 }

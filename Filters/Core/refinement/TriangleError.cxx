@@ -147,7 +147,10 @@ ErrorInside TriangleError::above(
 ErrorInside TriangleError::search(
   const FaceDistance& face, const LinearPiece& piece, double limit, bool tight)
 {
-  this->chooseNear(face, piece);
+  const std::array<Vec2, 3>& c = piece.corners;
+  const Vec2 middle = (1.0 / 3.0) * (c[0] + c[1] + c[2]);
+  const double radius = std::max({ norm(c[0] - middle), norm(c[1] - middle), norm(c[2] - middle) });
+  this->near_.choose(face, middle, radius);
   this->excess_.clear();
   Node root{ piece, 0, {} };
   ErrorInside result = { 0.0, 0.0 };
@@ -206,23 +209,6 @@ double TriangleError::halve(const Node& node)
     this->nodes_.push_back(half);
   }
   return this->leastInRow(row);
-}
-
-// Selects the candidates that may be the least somewhere in the triangle.
-void TriangleError::chooseNear(const FaceDistance& face, const LinearPiece& piece)
-{
-  const std::array<Vec2, 3>& c = piece.corners;
-  const Vec2 middle = (1.0 / 3.0) * (c[0] + c[1] + c[2]);
-  const double radius = std::max({ norm(c[0] - middle), norm(c[1] - middle), norm(c[2] - middle) });
-  const double bound = face.distance(middle) + 2.0 * radius;
-  this->near_.clear();
-  for (const DistanceCandidate& candidate : face.candidates())
-  {
-    if (candidate.distance(middle) <= bound)
-    {
-      this->near_.push_back(&candidate);
-    }
-  }
 }
 
 std::size_t TriangleError::addRow(Vec2 p, double value)

@@ -66,14 +66,13 @@ private:
   ErrorInside above(
     const FaceDistance& face, const LinearPiece& piece, double onEdges, double limit, bool tight);
   ErrorInside search(const FaceDistance& face, const LinearPiece& piece, double limit, bool tight);
-  void chooseNear(const FaceDistance& face, const LinearPiece& piece);
   std::size_t addRow(Vec2 p, double value);
   double leastInRow(std::size_t row) const;
   double halve(const Node& node);
   double boundOf(const Node& node, double limit) const;
 
   const DistanceField& field_;
-  std::vector<const DistanceCandidate*> near_;
+  NearCandidates near_;
   /// Row by row: the excess of each candidate over the function at one point.
   std::vector<double> excess_;
   /// Parts that are yet to be examined.

@@ -26,7 +26,7 @@ geodesic::Isolines isolinesOf(const geodesic::TriangleMesh& mesh,
   geodesic::IsolineOptions options;
   options.values = values;
   options.chordTolerance = chordTolerance;
-  return geodesic::drawIsolines(geodesic::solveForIsolines(mesh, curves, values), options);
+  return geodesic::drawIsolines(solveForIsolines(mesh, curves, values), options);
 }
 
 std::vector<double> randomValues(const std::vector<double>& distances, double largest,

@@ -77,7 +77,6 @@ public:
   }
 
   std::size_t numberOfPieces() const { return this->pieces_.pieces.size(); }
-  std::size_t partsCrossedStraight() const { return this->pieces_.partsCrossedStraight; }
 
   /// The lines, put together of pieces, by the ids of their points. Checks that each begins at an
   /// entry and ends at an exit, or is closed, and that no piece is left or used twice.
@@ -181,12 +180,10 @@ TEST(FaceIsolines, AreDrawnInPartsWhereThePointsOfTheOutlineAreNotAtTheEndsOfThe
       if (off == 0.0)
       {
         EXPECT_EQ(drawn.numberOfPieces(), 3U);
-        EXPECT_EQ(drawn.partsCrossedStraight(), 0U);
       }
       else
       {
         EXPECT_GT(drawn.numberOfPieces(), 3U);
-        EXPECT_GT(drawn.partsCrossedStraight(), 0U);
       }
       const std::vector<std::vector<Id>> lines = drawn.lines();
       ASSERT_EQ(lines.size(), 3U);
@@ -211,7 +208,6 @@ TEST(FaceIsolines, CrossPartsStraightWhereThereAreTooManyWithoutCrossingEachOthe
   const DrawnFace drawn({ Corners[0], { 0.0, 0.25, 0.75 }, { 0.25, 0.0, 0.75 } }, 0.2,
     { { 0, 0.25, true }, { 1, 1.31, false }, { 1, 1.7, true }, { 2, 0.3, false }, { 2, 0.7, true },
       { 2, 1.8, false } });
-  EXPECT_GT(drawn.partsCrossedStraight(), 0U);
   const std::vector<std::vector<Id>> lines = drawn.lines();
   ASSERT_EQ(lines.size(), 3U);
   for (const std::vector<Id>& line : lines)

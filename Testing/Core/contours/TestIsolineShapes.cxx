@@ -445,8 +445,7 @@ TEST(Isolines, RefuseWrongValuesAndToleranceAndFieldsWithoutWindows)
   EXPECT_THROW(geodesic::drawIsolines(geodesic::solve(mesh, { point }), options), geodesic::Error);
   // Windows kept for another value are not the ones that this value needs.
   EXPECT_THROW(
-    geodesic::drawIsolines(geodesic::solveForIsolines(mesh, { point }, { 0.9 }), options),
-    geodesic::Error);
+    geodesic::drawIsolines(solveForIsolines(mesh, { point }, { 0.9 }), options), geodesic::Error);
 }
 
 TEST(Isolines, StopWhereTheirWatcherAsksForIt)
@@ -459,8 +458,7 @@ TEST(Isolines, StopWhereTheirWatcherAsksForIt)
   options.values = { 0.5, 1.0 };
   options.chordTolerance = 1e-3;
   options.job = Job([](double) { return false; });
-  EXPECT_THROW(
-    geodesic::drawIsolines(geodesic::solveForIsolines(mesh, { point }, options.values), options),
+  EXPECT_THROW(geodesic::drawIsolines(solveForIsolines(mesh, { point }, options.values), options),
     geodesic::Aborted);
 }
 
@@ -530,13 +528,12 @@ TEST(IsolinesParallel, AreTheSameOnThreads)
   geodesic::IsolineOptions options;
   options.values = values;
   options.chordTolerance = 1e-3;
-  const Isolines one =
-    geodesic::drawIsolines(geodesic::solveForIsolines(mesh, curves, values), options);
+  const Isolines one = geodesic::drawIsolines(solveForIsolines(mesh, curves, values), options);
   geodesic::FrontOptions front;
   front.job = Job({}, onThreads);
   options.job = Job({}, onThreads);
   const Isolines three =
-    geodesic::drawIsolines(geodesic::solveForIsolines(mesh, curves, values, front), options);
+    geodesic::drawIsolines(solveForIsolines(mesh, curves, values, front), options);
   EXPECT_FALSE(one.lines.empty());
   EXPECT_TRUE(placesOf(one) == placesOf(three));
 }
@@ -565,8 +562,7 @@ Isolines linesOfSides(const TriangleMesh& mesh, const std::vector<geodesic::Sour
   geodesic::IsolineOptions options;
   options.values = { value };
   options.chordTolerance = chordTolerance;
-  const geodesic::DistanceField field =
-    geodesic::solveForIsolines(mesh, curves, options.values, front);
+  const geodesic::DistanceField field = solveForIsolines(mesh, curves, options.values, front);
   geodesic::NearestSource nearest(field, geodesic::ReplicatedPatch(field.mesh()), curves);
   return geodesic::linesOnSides(field, nearest,
     [](const geodesic::Foot& foot) { return foot.isRight; }, geodesic::drawIsolines(field, options),

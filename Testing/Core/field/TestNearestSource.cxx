@@ -65,7 +65,7 @@ geodesic::DistanceField solveFor(
   geodesic::FrontOptions options;
   options.keepArrivals = true;
   return at == At::RefinedPoints
-    ? geodesic::solveForRefinement(mesh, curves, RefinementTolerance, options)
+    ? solveForRefinement(mesh, curves, RefinementTolerance, options)
     : geodesic::solve(mesh, curves, options, geodesic::KeepWindows::All);
 }
 

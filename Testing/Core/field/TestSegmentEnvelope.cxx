@@ -300,14 +300,14 @@ TEST(FaceDistance, IsRefusedWithoutWindows)
   EXPECT_THROW(FaceDistance(field, 0), geodesic::Error);
 }
 
-TEST(FaceDistance, OneMadeInTheMemoryOfAnotherIsTheSame)
+TEST(FaceDistance, IsTheSameAfterOtherFaces)
 {
   const PlainMesh mesh = regularGrid(4, 4);
   const geodesic::TriangleMesh engine = engineMesh(mesh);
   const Sources source{ { { 7, { 0.2, 0.3, 0.5 } } }, {} };
   const geodesic::DistanceField field = solveKeepingAll(engine, engineCurves(engine, source));
-  FaceDistance other(field, 7);
-  const FaceDistance again(field, 20, other.releaseMemory());
+  FaceDistance again(field, 7);
+  again.enter(20);
   const FaceDistance fresh(field, 20);
   ASSERT_EQ(again.candidates().size(), fresh.candidates().size());
   const Barycentric place = { 0.2, 0.5, 0.3 };

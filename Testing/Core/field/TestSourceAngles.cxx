@@ -510,7 +510,7 @@ TEST_P(SourceAngles, AreKnownAtPointsThatRefinementAdds)
     Solved s(c.mesh, c.curves);
     constexpr double tolerance = 0.02;
     const geodesic::DistanceField field =
-      geodesic::solveForRefinement(s.mesh, s.curves, tolerance, withAngles());
+      solveForRefinement(s.mesh, s.curves, tolerance, withAngles());
     NearestSource nearest(field, geodesic::ReplicatedPatch(s.mesh), s.curves);
     geodesic::RefinementOptions options;
     options.tolerance = tolerance;

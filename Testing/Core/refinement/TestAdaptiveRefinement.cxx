@@ -373,8 +373,7 @@ TEST(RefinementOfACoarsePlane, ReportsWhatIsLostWhereWindowsWereDropped)
   const TriangleMesh engine = engineMesh(plane);
   const Sources source{ { vertexPoint(plane, 0) }, {} };
   const double tolerance = 1.0;
-  const DistanceField field =
-    geodesic::solveForRefinement(engine, engineCurves(engine, source), tolerance);
+  const DistanceField field = solveForRefinement(engine, engineCurves(engine, source), tolerance);
   const RefinedMesh refined = refineTo(field, tolerance);
   EXPECT_EQ(refined.triangles.size(), plane.triangles.size());
   EXPECT_GT(field.droppedErrorBound(), 0.0);
@@ -788,7 +787,7 @@ TEST_P(RefinementOfRealMeshes, ShapesDoNotDecayWithDepth)
   {
     const double tolerance = fraction * diagonal(mesh);
     const RefinedMesh refined = // as the filter solves
-      refineTo(geodesic::solveForRefinement(engine, curves, tolerance), tolerance);
+      refineTo(solveForRefinement(engine, curves, tolerance), tolerance);
     EXPECT_LE(refined.errorBound, tolerance);
     const std::vector<double> angles = smallestAngles(field, refined);
     percentile[fraction] = angles[angles.size() / 100];

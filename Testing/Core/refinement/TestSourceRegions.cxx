@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <iostream>
-#include <optional>
 #include <utility>
 
 using namespace geodesictest;
@@ -64,7 +63,7 @@ struct Result
   RefinedMesh refined;
 };
 
-std::vector<std::uint8_t> facesAtBorders(const Task& task)
+geodesic::PinnedFaces facesAtBorders(const Task& task)
 {
   const DistanceField atVertices = geodesic::solve(task.surface, task.sources, task.frontOptions());
   NearestSource nearest(atVertices, task.patch, task.curves);
@@ -88,21 +87,17 @@ Result refineOf(const Task& task, DistanceField field)
 /// kept.
 Result refineAlongBorders(const Task& task)
 {
-  geodesic::PinnedFaces pinned(task.surface, facesAtBorders(task));
+  geodesic::PinnedFaces pinned = facesAtBorders(task);
   for (;;)
   {
-    std::optional<DistanceField> field = geodesic::trySolveForRefinement(
-      task.surface, task.sources, task.tolerance, task.frontOptions(), pinned);
-    if (!field)
-    {
-      continue;
-    }
-    Result result = refineOf(task, std::move(*field));
+    Result result = refineOf(task,
+      geodesic::solveForRefinement(
+        task.surface, task.sources, task.tolerance, task.frontOptions(), pinned));
     for (const Id face : result.refined.unknownAtBorders)
     {
-      EXPECT_EQ(pinned.faces()[face], 0);
+      EXPECT_EQ(pinned[face], 0);
     }
-    if (!pinned.pin(result.refined.unknownAtBorders))
+    if (!geodesic::pinMissing(task.surface, result.refined.unknownAtBorders, pinned))
     {
       return result;
     }
@@ -397,10 +392,8 @@ TEST(RegionsFarFromTheirSources, AreRefinedOnlyWithTheWindowsOfFacesAtTheBorder)
     maker.point(vertexPoint(plain, 3 * 31)) };
   const Whole whole(plain, curves);
   const Task task = whole.task(0.3);
-  geodesic::PinnedFaces none(task.surface, {});
-  std::optional<DistanceField> field = geodesic::trySolveForRefinement(
-    task.surface, task.sources, task.tolerance, task.frontOptions(), none);
-  ASSERT_TRUE(field);
+  DistanceField field =
+    solveForRefinement(task.surface, task.sources, task.tolerance, task.frontOptions());
   std::vector<Id> dropped; // with corners on both sides of the border, y = 1.5
   for (Id face = 0; face < whole.mesh.numberOfFaces(); ++face)
   {
@@ -409,11 +402,11 @@ TEST(RegionsFarFromTheirSources, AreRefinedOnlyWithTheWindowsOfFacesAtTheBorder)
     {
       above += whole.mesh.point(vertex)[1] > 1.5 ? 1 : 0;
     }
-    if (above % 3 != 0 && field->isDropped(face))
+    if (above % 3 != 0 && field.isDropped(face))
     {
       dropped.push_back(face);
     }
   }
   ASSERT_FALSE(dropped.empty());
-  EXPECT_EQ(refineOf(task, std::move(*field)).refined.unknownAtBorders, dropped);
+  EXPECT_EQ(refineOf(task, std::move(field)).refined.unknownAtBorders, dropped);
 }

@@ -128,3 +128,28 @@ TEST(TriangleError, ProvesALimitCloseToTheDifferenceWhereFrontsMeet)
     }
   }
 }
+
+// All corners are sources. In the middle two of them are much farther than the third.
+TEST(TriangleError, KnowsFrontsThatAreNearestOnlyAtCorners)
+{
+  PlainMesh plain;
+  plain.points = { { -1, 0, 0 }, { 1, 0, 0 }, { 0, 0.2, 0 }, { -1, 0, 0 }, { 1, 0, 0 },
+    { 0, 0.2, 0 } };
+  plain.triangles = { { 0, 1, 2 } };
+  const TriangleMesh mesh = engineMesh(plain);
+  const geodesic::DistanceField field = solveKeepingAll(mesh,
+    { geodesic::pointCurve(SurfacePoint::atVertex(0)),
+      geodesic::pointCurve(SurfacePoint::atVertex(1)),
+      geodesic::pointCurve(SurfacePoint::atVertex(2)) });
+  const FaceDistance face(field, 0);
+  LinearPiece piece{};
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    piece.corners[k] = face.inPlane(geodesic::cornerWeights(k));
+  }
+  // As the angle at the third corner is obtuse, the farthest point is on an edge.
+  const Deviation onEdges = onEdgesOf(plain, piece.values);
+  const double limit = 1.01 * onEdges.above;
+  geodesic::TriangleError error(field);
+  EXPECT_LE(error.of(face, piece, onEdges, limit, false).bound, limit);
+}
