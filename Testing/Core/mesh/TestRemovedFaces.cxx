@@ -363,6 +363,21 @@ TEST(RemovedFaces, ANeedleClosesNoSlitBesideIt)
   }
 }
 
+// Two caps beside the first face put vertex 0 onto both of its edges at vertex 1.
+TEST(RemovedFaces, AVertexOfAThinFaceBetweenTwoCapsIsReached)
+{
+  PlainMesh mesh;
+  mesh.points = { { 0, 0, 0 }, { -9e-13, 5e-13, 0 }, { 0.17, 1.2e-12, 0 }, { 0.182, 0, 0 },
+    { 0.1, -1, 0 } };
+  mesh.triangles = { { 2, 1, 3 }, { 0, 3, 1 }, { 0, 1, 2 }, { 0, 4, 3 } };
+  ASSERT_EQ(facesWithoutArea(mesh), 2U);
+  const std::vector<double> distances = distancesFrom(4, withoutFlatFaces(mesh));
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  {
+    EXPECT_NEAR(distances[i], spaceDistance(mesh.points[4], mesh.points[i]), 1e-11) << i;
+  }
+}
+
 // Faces on a line of their own: one hangs at a vertex, one is the bridge to another part.
 TEST(RemovedFaces, HangingFacesAndBridgesConductAlongTheirLines)
 {
