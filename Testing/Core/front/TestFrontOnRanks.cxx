@@ -100,6 +100,23 @@ TEST_P(FrontOnRanks, FindsTheFieldOfTheWholeSurfaceForAnyCut)
             << " of " << compared << " distances have other bits\n";
 }
 
+// Of faces of two ranks on the same vertices the lower rank's remains. The other rank has no other
+// face at vertex 1.
+TEST(FrontOnTwoRanks, ASourceIsAtAVertexOfAFaceThatTheOtherRankHasToo)
+{
+  PlainMesh mesh;
+  mesh.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 2, 0 } };
+  mesh.triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 1, 2 }, { 3, 2, 4 } };
+  Random random(1);
+  const Polyline source = CurveMaker(mesh, random).point(vertexPoint(mesh, 1));
+  const std::vector<double> found =
+    distancesOnRanks({ mesh, 2, { 0, 0, 1, 1 } }, { source }, {}).vertices;
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    EXPECT_NEAR(found[i], spaceDistance(mesh.points[i], mesh.points[1]), 1e-15) << i;
+  }
+}
+
 TEST_P(FrontOnRanks, FindsTheFieldBesideBarriersForAnyCut)
 {
   for (std::uint64_t seed = 0; seed < MeshesOfAKind; ++seed)
