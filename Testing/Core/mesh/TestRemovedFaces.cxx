@@ -175,7 +175,7 @@ protected:
   }
 };
 INSTANTIATE_TEST_SUITE_P(Kinds, RemovedFacesOfAKind, ::testing::ValuesIn(Kinds),
-  [](const auto& info) { return info.param.name; });
+  [](const auto& kind) { return kind.param.name; });
 
 } // anonymous namespace
 
