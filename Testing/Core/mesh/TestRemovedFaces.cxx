@@ -371,7 +371,12 @@ TEST(RemovedFaces, AVertexOfAThinFaceBetweenTwoCapsIsReached)
     { 0.1, -1, 0 } };
   mesh.triangles = { { 2, 1, 3 }, { 0, 3, 1 }, { 0, 1, 2 }, { 0, 4, 3 } };
   ASSERT_EQ(facesWithoutArea(mesh), 2U);
-  const std::vector<double> distances = distancesFrom(4, withoutFlatFaces(mesh));
+  const CleanedMesh cleaned = withoutFlatFaces(mesh);
+  for (const Triangle& t : cleaned.mesh.triangles)
+  {
+    EXPECT_TRUE(geodesic::hasThreeVertices(t));
+  }
+  const std::vector<double> distances = distancesFrom(4, cleaned);
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
   {
     EXPECT_NEAR(distances[i], spaceDistance(mesh.points[4], mesh.points[i]), 1e-11) << i;
