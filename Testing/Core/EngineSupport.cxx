@@ -7,9 +7,8 @@
 #include "refinement/SolveForRefinement.h"
 #include "source/PolylineLocator.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -30,6 +29,14 @@ void locate(const geodesic::TriangleMesh& mesh, std::vector<geodesic::LocatedPol
   geodesic::PolylineLocator(geodesic::MeshPartition(mesh))
     .locate(polylines, coordinatePrecision)
     .setFaces(geodesic::ReplicatedPatch(mesh), polylines);
+}
+
+std::vector<geodesic::SourceCurve> curvesOnto(
+  const geodesic::TriangleMesh& mesh, std::vector<geodesic::LocatedPolyline> polylines)
+{
+  locate(mesh, polylines);
+  return geodesic::putOntoSurface(mesh, polylines, DBL_EPSILON, geodesic::joinByShortestPaths(mesh))
+    .curves;
 }
 
 geodesic::TriangleMesh engineMesh(const PlainMesh& mesh)

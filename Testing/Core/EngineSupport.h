@@ -2,6 +2,7 @@
 #ifndef geodesictest_EngineSupport_h
 #define geodesictest_EngineSupport_h
 
+#include "Seeds.h"
 #include "truth/BruteForce.h"
 #include "truth/RandomCurves.h"
 #include "truth/RandomMeshKinds.h"
@@ -15,6 +16,8 @@
 #include "source/BoundaryCurves.h"
 #include "source/PolylineOnSurface.h"
 #include "source/SourceCurve.h"
+
+#include <gtest/gtest.h>
 
 #include <limits>
 #include <string>
@@ -59,6 +62,10 @@ geodesic::TriangleMesh cleanedEngineMesh(const PlainMesh& mesh);
 /// Sets the faces of polylines.
 void locate(const geodesic::TriangleMesh& mesh, std::vector<geodesic::LocatedPolyline>& polylines,
   double coordinatePrecision = std::numeric_limits<double>::epsilon());
+
+/// Puts polylines onto the surface, as double precision places them.
+std::vector<geodesic::SourceCurve> curvesOnto(
+  const geodesic::TriangleMesh& mesh, std::vector<geodesic::LocatedPolyline> polylines);
 
 /// Requires a mesh from which the engine leaves out no face, so that faces keep their numbers.
 geodesic::SurfacePoint enginePoint(const geodesic::TriangleMesh& mesh, const MeshPoint& point);
@@ -137,6 +144,21 @@ struct RandomCase
 /// \param mostFaces makes large meshes smaller.
 RandomCase randomCase(const MeshKind& kind, std::uint64_t seed, std::size_t numberOfQueries,
   Index mostFaces = std::numeric_limits<Index>::max());
+
+/// Calls test(Random&) for each seed of a test. Failures name the seed.
+///
+/// \param salt is added to the seeds, so that tests differ.
+template <typename Test>
+void forEachSeed(std::uint64_t count, std::uint64_t salt, const Test& test)
+{
+  const Seeds seeds = seedsOfTest(count);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + salt);
+    test(random);
+  }
+}
 
 /// What was found of a target.
 struct FoundPath

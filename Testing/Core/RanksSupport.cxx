@@ -12,19 +12,6 @@
 namespace geodesictest
 {
 
-namespace
-{
-
-/// The faces of a cut mesh that one rank owns.
-struct Piece
-{
-  std::vector<geodesic::Vec3> points;
-  std::vector<geodesic::Triangle> triangles;
-  std::vector<std::uint64_t> keys;
-  std::vector<Index> wholeVertices;
-  std::vector<Index> wholeFaces;
-};
-
 Piece pieceOf(const CutMesh& cut, int rank)
 {
   Piece piece;
@@ -55,6 +42,9 @@ Piece pieceOf(const CutMesh& cut, int rank)
   }
   return piece;
 }
+
+namespace
+{
 
 /// The address of each face of the whole mesh; a collective call of all ranks.
 std::vector<geodesic::RankAddress> facesOnRanks(

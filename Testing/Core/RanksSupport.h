@@ -41,6 +41,20 @@ std::vector<WayToCut> someWaysToCut();
 void forEachCut(const PlainMesh& mesh, const std::vector<WayToCut>& ways, Random& random,
   const std::function<void(const CutMesh&)>& test);
 
+/// The faces of a cut mesh that one rank owns.
+struct Piece
+{
+  std::vector<geodesic::Vec3> points;
+  std::vector<geodesic::Triangle> triangles;
+  /// Of the points, below EndOfKeys.
+  std::vector<std::uint64_t> keys;
+  std::vector<Index> wholeVertices;
+  std::vector<Index> wholeFaces;
+
+  static constexpr std::uint64_t EndOfKeys = std::uint64_t(1) << 41;
+};
+Piece pieceOf(const CutMesh& cut, int rank);
+
 /// One rank of a run: its partition of the surface, and its share of the sources.
 struct RankOfRun
 {

@@ -117,6 +117,21 @@ TEST(SeamsOfRanks, FacesOnTheSameVerticesAreOneFaceOfTheLowerRank)
     });
 }
 
+// The other rank has no other face at vertex 1 than that which the lower rank has, too.
+TEST(SeamsOfRanks, ASourceIsAtAVertexOfAFaceThatTheOtherRankHasToo)
+{
+  Scene scene;
+  scene.mesh.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 2, 0 } };
+  scene.mesh.triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 1, 2 }, { 3, 2, 4 } };
+  scene.curves = { pointSource(vertexPoint(scene.mesh, 1)) };
+  const std::vector<double> found =
+    fieldOnRanks({ scene.mesh, 2, { 0, 0, 1, 1 } }, scene).distances;
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    EXPECT_NEAR(found[i], spaceDistance(scene.mesh.points[i], scene.mesh.points[1]), 1e-15) << i;
+  }
+}
+
 TEST(SeamsOfRanks, PathsOfTargetsOnTheSourceAreTwoEqualPoints)
 {
   Scene scene;

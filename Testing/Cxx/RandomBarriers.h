@@ -7,11 +7,13 @@
 #include "GeodesicTesting.h"
 
 #include "truth/BruteForce.h"
+#include "truth/CappedMeshes.h"
 #include "truth/RandomCurves.h"
 #include "truth/RandomMeshKinds.h"
 
 #include "vtkCellData.h"
 #include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkTriangle.h"
 
 #include <algorithm>
@@ -26,60 +28,123 @@ namespace GeodesicTesting
 /// A random mesh with random barriers, and what is left without them.
 struct RandomBarriers
 {
-  geodesictest::PlainMesh whole;
+  /// What the filter gets, and which of its faces are barriers.
+  geodesictest::PlainMesh surface;
   std::vector<bool> isBarrier;
+  /// The same without its faces that have no area.
+  geodesictest::PlainMesh whole;
+  /// Without barriers.
   geodesictest::PlainMesh open;
+  /// For each point of the surface the one of the whole at its place.
+  std::vector<geodesictest::Index> pointOfWhole;
 };
 
 /// Single faces, patches around vertices, or nearly all.
-inline RandomBarriers MakeBarriers(const geodesictest::MeshKind& kind, geodesictest::Random& random)
+inline std::vector<bool> RandomFaces(
+  const geodesictest::PlainMesh& mesh, geodesictest::Random& random)
 {
-  RandomBarriers made;
-  made.whole = kind.make(random.between(30, 200), random);
-  const std::size_t faces = made.whole.triangles.size();
-  made.isBarrier.assign(faces, false);
+  const std::size_t faces = mesh.triangles.size();
+  std::vector<bool> chosen(faces, false);
   const double share = random.uniform(0.02, 0.5);
   const bool arePatches = random.chance(0.5);
-  std::vector<bool> isMarked(made.whole.points.size(), false);
+  std::vector<bool> isMarked(mesh.points.size(), false);
   for (std::size_t i = 0; i < isMarked.size(); ++i)
   {
     isMarked[i] = random.chance(0.3 * share);
   }
   for (std::size_t f = 0; f < faces; ++f)
   {
-    const geodesictest::Triangle& t = made.whole.triangles[f];
-    made.isBarrier[f] =
+    const geodesictest::Triangle& t = mesh.triangles[f];
+    chosen[f] =
       arePatches ? isMarked[t[0]] || isMarked[t[1]] || isMarked[t[2]] : random.chance(share);
   }
-  made.isBarrier[random.below(faces)] = false;
+  chosen[random.below(faces)] = false;
+  return chosen;
+}
+
+inline void AddOpenFaces(RandomBarriers& made, const std::vector<bool>& isBarrierOfWhole)
+{
   made.open.points = made.whole.points;
-  for (std::size_t f = 0; f < faces; ++f)
+  for (std::size_t f = 0; f < made.whole.triangles.size(); ++f)
   {
-    if (!made.isBarrier[f])
+    if (!isBarrierOfWhole[f])
     {
       made.open.triangles.push_back(made.whole.triangles[f]);
     }
   }
+}
+
+inline RandomBarriers MakeBarriers(const geodesictest::MeshKind& kind, geodesictest::Random& random)
+{
+  RandomBarriers made;
+  made.whole = kind.make(random.between(30, 200), random);
+  made.surface = made.whole;
+  made.isBarrier = RandomFaces(made.whole, random);
+  AddOpenFaces(made, made.isBarrier);
+  for (geodesictest::Index i = 0; i < made.whole.points.size(); ++i)
+  {
+    made.pointOfWhole.push_back(i);
+  }
   return made;
 }
 
-inline vtkSmartPointer<vtkPolyData> SurfaceOf(const RandomBarriers& made)
+/// The same with faces without area. They are barriers where all faces at their edge are, and may
+/// be where only one is none and they lie exactly on its edge, where a source may be.
+inline RandomBarriers MakeBarriersWithFlatFaces(
+  const geodesictest::MeshKind& kind, geodesictest::Random& random)
+{
+  const geodesictest::PlainMesh before = kind.make(random.between(8, 60), random);
+  const double offset = random.chance(0.5) ? 0.0 : std::pow(10.0, random.uniform(-17.0, -12.0));
+  geodesictest::CappedMesh both = geodesictest::withCaps(
+    before, geodesictest::Caps::AnyAndLoose, random.uniform(0.1, 1.0), random, offset);
+  geodesictest::addNeedles(both, random.uniform(0.0, 0.5), random, offset);
+  const std::vector<bool> isBarrier = random.chance(0.3)
+    ? std::vector<bool>(before.triangles.size(), false)
+    : RandomFaces(before, random);
+  RandomBarriers made;
+  std::map<std::vector<geodesictest::Index>, bool> isClosed; // all on an edge together
+  for (const std::vector<geodesictest::Index>& faces : both.facesBefore)
+  {
+    const auto open = std::count_if(
+      faces.begin(), faces.end(), [&](geodesictest::Index f) { return !isBarrier[f]; });
+    const bool mayBeBarrier = offset == 0.0 && open == 1 && faces.size() > 1;
+    const bool isBarrierHere = open == 0 || (mayBeBarrier && random.chance(0.5));
+    made.isBarrier.push_back(isClosed.emplace(faces, isBarrierHere).first->second);
+  }
+  std::vector<bool> isBarrierOfWhole;
+  for (const geodesictest::Index f : both.faceBefore)
+  {
+    isBarrierOfWhole.push_back(isBarrier[f]);
+  }
+  made.surface = both.mesh;
+  made.whole = both.conforming;
+  made.pointOfWhole = both.vertexOf;
+  AddOpenFaces(made, isBarrierOfWhole);
+  return made;
+}
+
+/// \param isWanted which faces; empty: all.
+inline vtkSmartPointer<vtkPolyData> SurfaceOf(
+  const RandomBarriers& made, const std::vector<bool>& isWanted = {})
 {
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (const geodesictest::Vec3& p : made.whole.points)
+  for (const geodesictest::Vec3& p : made.surface.points)
   {
     points->InsertNextPoint(p.data());
   }
   vtkNew<vtkCellArray> polys;
   vtkNew<vtkIntArray> barriers;
   barriers->SetName("barrier");
-  for (std::size_t f = 0; f < made.whole.triangles.size(); ++f)
+  for (std::size_t f = 0; f < made.surface.triangles.size(); ++f)
   {
-    const geodesictest::Triangle& t = made.whole.triangles[f];
-    polys->InsertNextCell({ t[0], t[1], t[2] });
-    barriers->InsertNextValue(made.isBarrier[f] ? -3 : 0);
+    if (isWanted.empty() || isWanted[f])
+    {
+      const geodesictest::Triangle& t = made.surface.triangles[f];
+      polys->InsertNextCell({ t[0], t[1], t[2] });
+      barriers->InsertNextValue(made.isBarrier[f] ? -3 : 0);
+    }
   }
   surface->SetPoints(points);
   surface->SetPolys(polys);
@@ -174,12 +239,28 @@ inline void AddBoundary(const RandomBarriers& made, geodesictest::Sources& sourc
   }
 }
 
-/// Whether vertices are at one place, as where two fans coincide: which of them a source is put
-/// onto is open then.
-inline bool TouchesItself(const geodesictest::PlainMesh& mesh)
+/// Whether vertices of faces are at one place, as where two fans coincide: which of them a source
+/// is put onto is open then.
+///
+/// \param within places that differ by less are one; 0: by nothing.
+inline bool TouchesItself(const geodesictest::PlainMesh& mesh, double within = 0.0)
 {
-  const std::set<geodesictest::Vec3> places(mesh.points.begin(), mesh.points.end());
-  return places.size() < mesh.points.size();
+  std::set<geodesictest::Index> vertices;
+  std::set<geodesictest::Vec3> places;
+  for (const geodesictest::Triangle& t : mesh.triangles)
+  {
+    for (const geodesictest::Index vertex : t)
+    {
+      geodesictest::Vec3 place = mesh.points[vertex];
+      for (double& x : place)
+      {
+        x = within > 0.0 ? within * std::round(x / within) : x;
+      }
+      vertices.insert(vertex);
+      places.insert(place);
+    }
+  }
+  return places.size() < vertices.size();
 }
 
 /// Whether a point of the open faces lies in space on another face, too, which does not have it:
@@ -226,6 +307,24 @@ inline bool IsOnOtherFace(const geodesictest::PlainMesh& open, const geodesictes
   return false;
 }
 
+/// Each face in a random block. Blocks have all points.
+inline vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(
+  const RandomBarriers& made, geodesictest::Index count, geodesictest::Random& random)
+{
+  std::vector<std::vector<bool>> isInBlock(
+    count, std::vector<bool>(made.surface.triangles.size(), false));
+  for (std::size_t f = 0; f < made.surface.triangles.size(); ++f)
+  {
+    isInBlock[random.below(count)][f] = true;
+  }
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (geodesictest::Index i = 0; i < count; ++i)
+  {
+    blocks->SetBlock(i, SurfaceOf(made, isInBlock[i]));
+  }
+  return blocks;
+}
+
 /// A filter for a random surface with barriers and a random source.
 struct RandomCase
 {
@@ -236,13 +335,20 @@ struct RandomCase
   /// Of the largest distance.
   double accuracy;
 
-  RandomCase(const geodesictest::MeshKind& kind, std::uint64_t seed)
+  /// \param hasFlatFaces the surface has faces without area, maybe in several blocks. The source is
+  ///        not its boundary: barriers without area have one of their own.
+  RandomCase(const geodesictest::MeshKind& kind, std::uint64_t seed, bool hasFlatFaces = false)
     : name(std::string(kind.name) + ", seed " + std::to_string(seed))
-    , accuracy(Contains(kind.name, "Needles") ? 5e-10 : 2e-12)
+    , accuracy(Contains(kind.name, "Needles") ? 5e-10
+          : hasFlatFaces                      ? 1e-10
+                                              : 2e-12)
   {
     geodesictest::Random random(seed);
-    this->made = MakeBarriers(kind, random);
-    this->filter->SetSourceType(static_cast<int>(random.below(3)));
+    this->made =
+      hasFlatFaces ? MakeBarriersWithFlatFaces(kind, random) : MakeBarriers(kind, random);
+    this->filter->SetSourceType(hasFlatFaces
+        ? static_cast<int>(vtkGeodesicDistanceField::SOURCE_CURVE)
+        : static_cast<int>(random.below(3)));
     if (this->filter->GetSourceType() != vtkGeodesicDistanceField::SURFACE_BOUNDARY)
     {
       this->sources = RandomSources(this->made.open, random);
@@ -255,6 +361,12 @@ struct RandomCase
     this->filter->MergeCoincidentPointsOff();
     this->filter->SetBarrierArrayName("barrier");
     this->filter->SetInputData(SurfaceOf(this->made));
+    if (hasFlatFaces && random.chance(0.6) && !TouchesItself(this->made.whole, 1e-9))
+    {
+
+      this->filter->MergeCoincidentPointsOn();
+      this->filter->SetInputDataObject(0, BlocksOf(this->made, random.between(1, 4), random));
+    }
   }
 
   /// Whether there is a source, and it is clear where it lies.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Faces without area: distances are those of the surface without them, outputs keep the input's
 // cells, and refined seams of blocks beside them fit.
-#include "GeodesicTesting.h"
+// GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
+#include "RandomBarriers.h"
+#include "Seeds.h"
 
 #include "vtkGeodesicDistanceMatrix.h"
 #include "vtkGeodesicPaths.h"
@@ -158,6 +160,79 @@ void CheckRefinedSurfaces(Check& check)
     "two blocks");
 }
 
+/// Compares the distances at a block's points with the truth, by brute force on the surface without
+/// faces that have no area. A point of barriers alone is not reached, unless it is the second one
+/// at its place.
+/// \returns the largest error.
+double ErrorOfBlock(const RandomCase& one, vtkPolyData* block, const std::vector<double>& truth)
+{
+  const RandomBarriers& made = one.made;
+  std::vector<bool> isOpen(made.surface.points.size(), false);
+  for (std::size_t f = 0; f < made.surface.triangles.size(); ++f)
+  {
+    for (const geodesictest::Index point : made.surface.triangles[f])
+    {
+      isOpen[point] = isOpen[point] || !made.isBarrier[f];
+    }
+  }
+  vtkDataArray* distances = block->GetPointData()->GetArray("GeodesicDistance");
+  double worst = 0.0;
+  for (vtkIdType cell = 0; cell < block->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    block->GetCellPoints(cell, ids);
+    for (const vtkIdType id : { ids->GetId(0), ids->GetId(1), ids->GetId(2) })
+    {
+      const auto point = static_cast<std::size_t>(id);
+      const geodesictest::Index ofWhole = made.pointOfWhole[point];
+      if (isOpen[point] || ofWhole == point)
+      {
+        const double expected = isOpen[point] ? truth[ofWhole] : INFINITY;
+        worst = std::max(worst, ErrorOf(distances->GetTuple1(id), expected));
+      }
+    }
+  }
+  return worst;
+}
+
+/// Caps, fins, pockets and needles of all offsets, across blocks and beside barriers.
+void CheckRandomSurfaces(Check& check)
+{
+  const geodesictest::Seeds seeds = geodesictest::seedsOfTest(4);
+  for (const geodesictest::MeshKind& kind : geodesictest::meshKinds())
+  {
+    double worst = 0.0;
+    int compared = 0;
+    for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+    {
+      RandomCase one(kind, seed, true);
+      one.filter->RefineMeshOff();
+      if (!one.CanRun(check) || one.IsSourceOpen())
+      {
+        continue;
+      }
+      const std::vector<double> truth =
+        geodesictest::bruteForceDistances(one.made.open, one.sources).vertices;
+      double error = 0.0;
+      if (vtkPolyData* whole = one.filter->GetOutput())
+      {
+        error = ErrorOfBlock(one, whole, truth);
+      }
+      auto* blocks = vtkMultiBlockDataSet::SafeDownCast(one.filter->GetOutputDataObject(0));
+      for (unsigned int i = 0; blocks && i < blocks->GetNumberOfBlocks(); ++i)
+      {
+        error =
+          std::max(error, ErrorOfBlock(one, vtkPolyData::SafeDownCast(blocks->GetBlock(i)), truth));
+      }
+      error /= std::max(1.0, LargestFinite(truth));
+      check.That(error <= one.accuracy, one.name + ": wrong by " + std::to_string(error));
+      worst = std::max(worst, error);
+      ++compared;
+    }
+    std::cout << kind.name << ": worst relative error " << worst << " of " << compared << "\n";
+  }
+}
+
 } // anonymous namespace
 
 int TestGeodesicFlatFaces(int, char*[])
@@ -166,5 +241,6 @@ int TestGeodesicFlatFaces(int, char*[])
   CheckMatrixAndPaths(check);
   CheckUnrefinedCells(check);
   CheckRefinedSurfaces(check);
+  CheckRandomSurfaces(check);
   return check.Result();
 }

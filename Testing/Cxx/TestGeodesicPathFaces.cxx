@@ -42,7 +42,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> AtRandomInBlocks(
   const RandomBarriers& made, geodesictest::Random& random, std::vector<std::ptrdiff_t>& faceOf)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  std::vector<unsigned int> blockOf(made.whole.triangles.size());
+  std::vector<unsigned int> blockOf(made.surface.triangles.size());
   for (unsigned int& block : blockOf)
   {
     block = std::array<unsigned int, 3>{ 0, 2, 3 }[random.below(3)];
@@ -50,14 +50,14 @@ vtkSmartPointer<vtkMultiBlockDataSet> AtRandomInBlocks(
   for (const unsigned int index : { 0U, 2U, 3U })
   {
     RandomBarriers part;
-    part.whole.points = made.whole.points;
+    part.surface.points = made.surface.points;
     const std::ptrdiff_t others = index == 2 ? 2 : 0;
     faceOf.insert(faceOf.end(), static_cast<std::size_t>(others), -1);
     for (std::size_t face = 0; face < blockOf.size(); ++face)
     {
       if (blockOf[face] == index)
       {
-        part.whole.triangles.push_back(made.whole.triangles[face]);
+        part.surface.triangles.push_back(made.surface.triangles[face]);
         part.isBarrier.push_back(made.isBarrier[face]);
         faceOf.push_back(static_cast<std::ptrdiff_t>(face));
       }

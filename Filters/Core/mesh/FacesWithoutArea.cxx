@@ -268,17 +268,6 @@ enum class PartKind : std::uint8_t
 /// The vertices at which the edges of a part are cut.
 using Splits = std::array<std::vector<Id>, 3>;
 
-/// Whether a triangle has its corner on the edge of the others after all, by other triangles.
-bool isCutAtOwnCorner(const Triangle& t, const Splits& splits)
-{
-  return std::any_of(splits.begin(), splits.end(),
-    [&t](const std::vector<Id>& vertices)
-    {
-      return std::find_first_of(vertices.begin(), vertices.end(), t.begin(), t.end()) !=
-        vertices.end();
-    });
-}
-
 struct Part
 {
   Triangle corners;
@@ -503,9 +492,21 @@ private:
     {
       if (part.kind == PartKind::Face && !part.isNew)
       {
+        // A piece on two edges has nothing between them.
+        std::set<Edge> outline;
         this->forEachEdge(part.corners, cuts,
           [&](std::size_t, const Edge& edge)
-          { cuts.forEachPiece(edge, [&own](const Edge& piece) { own.push_back(piece); }); });
+          {
+            cuts.forEachPiece(edge,
+              [&outline](const Edge& piece)
+              {
+                if (!outline.insert(piece).second)
+                {
+                  outline.erase(piece);
+                }
+              });
+          });
+        own.insert(own.end(), outline.begin(), outline.end());
       }
     }
     const std::vector<Edge> all = valuesOfRanks(this->exchange_, own);
@@ -576,19 +577,14 @@ private:
         parts.push_back(part);
         continue;
       }
-      if (isCutAtOwnCorner(part.corners, splits))
-      {
-        const bool isFace = part.kind == PartKind::Face;
-        parts.push_back(
-          { part.corners, part.triangle, isFace ? PartKind::Segment : part.kind, false });
-        continue;
-      }
+      const PartKind segment = part.kind == PartKind::Face ? PartKind::Segment : part.kind;
       pieces.clear();
       cutAtEdges(
         part.corners, splits, [this](Id vertex) { return this->points_[vertex]; }, pieces);
       for (const Triangle& piece : pieces)
       {
-        parts.push_back({ piece, part.triangle, part.kind, true });
+        parts.push_back(
+          { piece, part.triangle, hasThreeVertices(piece) ? part.kind : segment, true });
       }
     }
     this->parts_ = std::move(parts);

@@ -121,9 +121,11 @@ ReplicatedPatch::ReplicatedPatch(const MeshPartition& part, const std::vector<Id
   {
     const Id ofPart = part.faceAt(this->ownerOf(face));
     known.faceOfPart.push_back(ofPart);
-    for (std::size_t k = 0; k < 3 && ofPart != NoId && part.isOwn(ofPart); ++k)
+    for (std::size_t k = 0; k < 3 && ofPart != NoId; ++k)
     {
-      known.vertexOfPart[this->mesh().triangle(face)[k]] = part.mesh().triangle(ofPart)[k];
+      const Id vertex = part.mesh().triangle(ofPart)[k];
+      Id& found = known.vertexOfPart[this->mesh().triangle(face)[k]];
+      found = vertex < part.numberOfOwnVertices() ? vertex : found;
     }
   }
   this->onThisRank_ = std::make_shared<OnThisRank>(std::move(known));

@@ -85,7 +85,7 @@ public:
   }
 
   /// The number of the patch's face or vertex in this rank's partition; NoId if the partition does
-  /// not have it. Vertices are found only on faces that this rank owns.
+  /// not have it. Vertices are found only if they are this rank's own points.
   Id faceOfPart(Id face) const
   {
     return this->onThisRank_ ? this->onThisRank_->faceOfPart[face] : face;

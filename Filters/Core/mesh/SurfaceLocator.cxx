@@ -39,13 +39,17 @@ void addFace(const TriangleMesh& mesh, Id face, Box& box)
   }
 }
 
-/// The unit normal of a face; zero if it has none.
+/// The unit normal of a face; zero if it has none, being without area.
 Vec3 normalOf(const TriangleMesh& mesh, Id face)
 {
-  const auto& [a, b, c] = mesh.triangle(face);
-  const Vec3 normal = cross(mesh.point(b) - mesh.point(a), mesh.point(c) - mesh.point(a));
-  const double length = norm(normal);
-  return length > 0.0 ? (1.0 / length) * normal : Vec3{};
+  const auto& [i, j, k] = mesh.triangle(face);
+  const std::array<Vec3, 3> corners = { mesh.point(i), mesh.point(j), mesh.point(k) };
+  if (isWithoutArea(shapeOf(corners), corners))
+  {
+    return {};
+  }
+  const Vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  return (1.0 / norm(normal)) * normal;
 }
 
 /// Whether a face may be of the wall opposite to a point's closest faces. The faces' orientations
@@ -153,6 +157,10 @@ std::vector<FaceCandidate> chosen(const std::vector<FaceCandidate>& closest)
       return norm(face.toPlace - best.toClosest) <= face.precision ||
         std::binary_search(equal.begin(), equal.end(), &face);
     });
+  // A face without area conducts along its line only: faces beside it come first.
+  const auto flat = std::stable_partition(
+    result.begin(), result.end(), [](const FaceCandidate& face) { return face.normal != Vec3{}; });
+  result.erase(flat == result.begin() ? result.end() : flat, result.end());
   return result;
 }
 

@@ -46,8 +46,8 @@ public:
 
   /// For each point all faces that put it onto its closest place, in the order of ClosestFace.
   /// There are several where the surface touches or overlaps itself, and the locator cannot know
-  /// which one is meant. All ranks call this together and
-  /// get the same. Not thread-safe.
+  /// which one is meant. Faces without area count only where there are no others. All ranks call
+  /// this together and get the same. Not thread-safe.
   ///
   /// \param points the same on all ranks.
   /// \param isWanted for each point whether it is searched: the others get no faces.

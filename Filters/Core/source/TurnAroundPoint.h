@@ -24,30 +24,20 @@ public:
   /// Turns into the next face. \returns false where the turn has ended.
   bool next();
   /// Whether the turn has ended in the face where it had begun.
-  bool isClosed() const { return this->entered_ == this->first_.halfedge; }
+  bool isClosed() const { return this->entered_ == this->first_; }
   /// Goes back to the first face and turns clockwise into the face before it. \returns as next().
   bool turnBack();
 
 private:
-  /// A halfedge that the point lies on, and the distance between the point and the halfedge's
-  /// origin, in a clockwise turn its destination.
-  struct PointOnHalfedge
-  {
-    Id halfedge;
-    double x;
-  };
-
-  Id pivotNext(Id halfedge) const;
-  PointOnHalfedge exit() const;
-  bool enterAcross(const PointOnHalfedge& exit);
+  Id exit() const;
+  bool enterAcross(Id exit);
 
   const TriangleMesh& mesh_;
+  bool isAtVertex_;
   bool isCounterclockwise_ = true;
-  PointOnHalfedge first_;
-  /// On the halfedge across which the turn has entered the face.
-  PointOnHalfedge point_;
-  /// The halfedge that the turn entered across last; NoId before that and where nothing follows.
-  Id entered_ = NoId;
+  Id first_;
+  /// The halfedge that the turn entered across last; NoId where nothing follows.
+  Id entered_;
 };
 
 }

@@ -4,10 +4,11 @@
 // seeds.
 #include "EngineSupport.h"
 #include "RanksSupport.h"
-#include "Seeds.h"
 #include "truth/CappedMeshes.h"
 
+#include "front/Retention.h"
 #include "mesh/FacesWithoutArea.h"
+#include "source/SourceWindows.h"
 
 #include <gtest/gtest.h>
 
@@ -16,23 +17,27 @@
 #include <iostream>
 #include <map>
 #include <mutex>
+#include <ostream>
 #include <set>
 #include <string>
 
 using namespace geodesictest;
+using geodesic::Id;
+using geodesic::SourceCurve;
 using geodesic::SurfacePoint;
 using geodesic::TriangleMesh;
 
 namespace
 {
 
-/// The distance from one point of a surface to each.
-std::vector<double> distancesFrom(Index source, const CleanedMesh& cleaned)
+/// The distances of a surface's points before its faces without area were removed.
+///
+/// \param curvesOn the source: (engine's mesh) -> curves.
+template <typename CurvesOn>
+std::vector<double> distancesOf(const CleanedMesh& cleaned, const CurvesOn& curvesOn)
 {
   const TriangleMesh engine = engineMesh(cleaned.mesh);
-  const std::vector<double> found = geodesic::solve(
-    engine, { geodesic::pointCurve(SurfacePoint::atVertex(cleaned.vertexOf[source])) })
-                                      .vertexDistances();
+  const std::vector<double> found = geodesic::solve(engine, curvesOn(engine)).vertexDistances();
   std::vector<double> distances;
   for (const Index vertex : cleaned.vertexOf)
   {
@@ -41,14 +46,276 @@ std::vector<double> distancesFrom(Index source, const CleanedMesh& cleaned)
   return distances;
 }
 
-std::vector<double> trueDistancesFrom(Index source, const PlainMesh& mesh)
+std::vector<double> distancesFrom(Index source, const CleanedMesh& cleaned)
 {
-  Sources sources;
-  sources.points = { vertexPoint(mesh, source) };
-  return bruteForceDistances(mesh, sources).vertices;
+  const std::vector<SourceCurve> curves = { geodesic::pointCurve(
+    SurfacePoint::atVertex(cleaned.vertexOf[source])) };
+  return distancesOf(cleaned, [&](const TriangleMesh&) { return curves; });
+}
+
+/// A kind of faces without area.
+struct Kind
+{
+  const char* name;
+  Caps caps;
+  bool hasNeedles;
+};
+std::ostream& operator<<(std::ostream& os, const Kind& kind)
+{
+  return os << kind.name;
+}
+const Kind Kinds[] = { { "OneCapAnEdge", Caps::One, false },
+  { "SeveralCapsAnEdge", Caps::Several, false }, { "FinsAndPockets", Caps::Any, false },
+  { "LooseFaces", Caps::AnyAndLoose, false }, { "Needles", Caps::One, true },
+  { "All", Caps::AnyAndLoose, true } };
+
+/// How far vertices are moved off their places.
+double randomOffset(Random& random)
+{
+  constexpr double offsets[] = { 0.0, 1e-17, 1e-16, 1e-15, 1e-14, 5e-14, 1e-13, 2e-13, 5e-13,
+    1e-12 };
+  return offsets[random.below(std::size(offsets))];
+}
+
+/// A sheet, or a book, which has edges of three faces.
+CappedMesh randomSurface(const Kind& kind, double offset, Random& random)
+{
+  const Index n = random.between(1, 4);
+  const Index m = random.between(1, 4);
+  const double amplitude = random.uniform(0.0, 3.0);
+  const PlainMesh plain = random.chance(0.6)
+    ? bumpySheet(n, m, random.below(2), amplitude, random)
+    : book(3, std::min(n, 3U), std::min(m, 2U), 0.1 * amplitude, random);
+  CappedMesh both = withCaps(plain, kind.caps, random.uniform(0.1, 1.0), random, offset);
+  if (kind.hasNeedles)
+  {
+    addNeedles(both, random.uniform(0.1, 1.0), random, offset);
+  }
+  return both;
+}
+
+/// A source: points and curves, or the boundary. Curves may lie on faces without area, and cross
+/// them.
+class RandomSource
+{
+public:
+  RandomSource(const PlainMesh& conforming, bool mayBeBoundary, Random& random)
+    : isBoundary_(mayBeBoundary && random.chance(0.15))
+  {
+    if (this->isBoundary_)
+    {
+      this->sources_ = boundarySources(engineMesh(conforming));
+      return;
+    }
+    const std::vector<Polyline> curves = CurveMaker(conforming, random).anySource();
+    this->sources_ = toSources(curves);
+    for (const Polyline& curve : curves)
+    {
+      geodesic::LocatedPolyline& line = this->lines_.emplace_back();
+      line.name = geodesic::PartName("the line");
+      const auto add = [&](Index face, const Barycentric& weights) {
+        line.points.push_back(position(conforming, MeshPoint{ face, weights }));
+      };
+      add(curve.segments[0].face, curve.segments[0].from);
+      for (std::size_t i = 0; i < curve.segments.size() && !curve.isPoint(); ++i)
+      {
+        add(curve.segments[i].face, curve.segments[i].to);
+      }
+    }
+  }
+
+  std::vector<SourceCurve> curvesOn(const TriangleMesh& mesh) const
+  {
+    return this->isBoundary_ ? geodesic::boundaryCurves(mesh) : curvesOnto(mesh, this->lines_);
+  }
+
+  /// By brute force on the surface without faces that have no area.
+  std::vector<double> trueDistances(const CappedMesh& both) const
+  {
+    const std::vector<double> found = bruteForceDistances(both.conforming, this->sources_).vertices;
+    std::vector<double> distances;
+    for (const Index vertex : both.vertexOf)
+    {
+      distances.push_back(found[vertex]);
+    }
+    return distances;
+  }
+
+private:
+  bool isBoundary_;
+  Sources sources_;
+  std::vector<geodesic::LocatedPolyline> lines_;
+};
+
+class RemovedFacesOfAKind : public ::testing::TestWithParam<Kind>
+{
+protected:
+  /// \param find (surface, source) -> distances at its vertices.
+  template <typename Find>
+  void compare(std::uint64_t count, const Find& find)
+  {
+    double worst = 0.0;
+    forEachSeed(count, 700000,
+      [&](Random& random)
+      {
+        const double offset = randomOffset(random);
+        const CappedMesh both = randomSurface(GetParam(), offset, random);
+        // Loose faces have a boundary of their own, and so have short ones that are as high as they
+        // may be long, relatively: these remain.
+        const bool hasOneBoundary = GetParam().caps != Caps::AnyAndLoose && offset <= 1e-15;
+        const RandomSource source(both.conforming, hasOneBoundary, random);
+        const std::vector<double> truth = source.trueDistances(both);
+        std::vector<double> found = find(both.mesh, source, random);
+        found.resize(truth.size()); // without vertices that were added
+        const double error = worstError(found, truth, std::max(1.0, largestFinite(truth)));
+        EXPECT_LE(error, 1e-10);
+        worst = std::max(worst, error);
+      });
+    std::cout << GetParam().name << ": worst relative error " << worst << "\n";
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Kinds, RemovedFacesOfAKind, ::testing::ValuesIn(Kinds),
+  [](const auto& kind) { return kind.param.name; });
+
+} // anonymous namespace
+
+TEST_P(RemovedFacesOfAKind, ChangeNoDistance)
+{
+  compare(60,
+    [](const PlainMesh& mesh, const RandomSource& source, Random&)
+    {
+      return distancesOf(withoutFlatFaces(mesh),
+        [&](const TriangleMesh& engine) { return source.curvesOn(engine); });
+    });
+}
+
+TEST_P(RemovedFacesOfAKind, ChangeNoPathLength)
+{
+  compare(20,
+    [](const PlainMesh& mesh, const RandomSource& source, Random&)
+    {
+      const CleanedMesh cleaned = withoutFlatFaces(mesh);
+      const TriangleMesh engine = engineMesh(cleaned.mesh);
+      std::vector<SurfacePoint> targets;
+      for (const Index vertex : cleaned.vertexOf)
+      {
+        targets.push_back(SurfacePoint::atVertex(vertex));
+      }
+      std::vector<double> lengths;
+      for (const FoundPath& path : findPaths(engine, source.curvesOn(engine), targets))
+      {
+        lengths.push_back(path.points.empty() ? geodesic::Infinity : 0.0);
+        for (std::size_t i = 1; i < path.places.size(); ++i)
+        {
+          lengths.back() += spaceDistance(path.places[i], path.places[i - 1]);
+        }
+      }
+      return lengths;
+    });
+}
+
+namespace
+{
+
+/// The faces that a rank has after those without area have been removed on all ranks.
+struct CleanedPiece
+{
+  Piece piece;
+  /// For each of the rank's points before, the key of the vertex that it has become.
+  std::vector<std::uint64_t> keyOfPoint;
+};
+
+CleanedPiece cleanedPiece(const CutMesh& cut, geodesic::Exchange& exchange)
+{
+  Piece before = pieceOf(cut, exchange.rank());
+  CleanedPiece cleaned;
+  cleaned.piece.wholeVertices = before.wholeVertices;
+  const std::size_t count = before.points.size();
+  const geodesic::CutTriangles parts = geodesic::removeFacesWithoutArea(
+    before.points, before.keys, Piece::EndOfKeys, before.triangles, {}, exchange);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    cleaned.keyOfPoint.push_back(before.keys[parts.isEmpty() ? i : parts.same[i]]);
+  }
+  std::map<Id, Id> numbers;
+  for (std::size_t f = 0; f < (parts.isEmpty() ? before.triangles : parts.parts).size(); ++f)
+  {
+    if (!parts.isEmpty() && !parts.areFaces[f])
+    {
+      continue;
+    }
+    geodesic::Triangle& t =
+      cleaned.piece.triangles.emplace_back(parts.isEmpty() ? before.triangles[f] : parts.parts[f]);
+    for (Id& corner : t)
+    {
+      const auto [found, isNew] =
+        numbers.emplace(corner, static_cast<Id>(cleaned.piece.points.size()));
+      if (isNew)
+      {
+        cleaned.piece.points.push_back(before.points[corner]);
+        cleaned.piece.keys.push_back(before.keys[corner]);
+      }
+      corner = found->second;
+    }
+  }
+  return cleaned;
+}
+
+/// Distances at the vertices of a cut mesh; NaN where ranks have found different ones.
+std::vector<double> distancesOnRanks(const CutMesh& cut, const RandomSource& source)
+{
+  std::map<std::uint64_t, double> distanceOfKey;
+  std::vector<std::uint64_t> keys(cut.mesh.points.size(), Piece::EndOfKeys);
+  std::mutex mutex;
+  MemoryRanks(cut.numberOfRanks)
+    .run(
+      [&](geodesic::Exchange& exchange)
+      {
+        const auto [piece, keyOfPoint] = cleanedPiece(cut, exchange);
+        const geodesic::MeshPartition part(piece.points, piece.triangles, piece.keys, exchange);
+        std::vector<Id> all;
+        for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
+        {
+          all.push_back(face);
+        }
+        const geodesic::ReplicatedPatch patch(part, all);
+        const geodesic::SourceWindows sources = sourceWindowsOfPartition(
+          part, patch, makeSourceWindows(patch.mesh(), source.curvesOn(patch.mesh())));
+        geodesic::KeepNone none;
+        const std::vector<double> found = propagate(part, sources, {}, none).vertexDistances;
+        const std::lock_guard<std::mutex> lock(mutex);
+        for (std::size_t i = 0; i < piece.keys.size(); ++i)
+        {
+          const double distance = distanceOfKey.emplace(piece.keys[i], found[i]).first->second;
+          distanceOfKey[piece.keys[i]] = distance == found[i] ? distance : std::nan("");
+        }
+        for (std::size_t i = 0; i < keyOfPoint.size(); ++i)
+        {
+          keys[piece.wholeVertices[i]] = keyOfPoint[i];
+        }
+      });
+  std::vector<double> distances;
+  for (const std::uint64_t key : keys)
+  {
+    const auto found = distanceOfKey.find(key);
+    distances.push_back(found == distanceOfKey.end() ? geodesic::Infinity : found->second);
+  }
+  return distances;
 }
 
 } // anonymous namespace
+
+TEST_P(RemovedFacesOfAKind, ChangeNoDistanceOnRanks)
+{
+  compare(15,
+    [](const PlainMesh& mesh, const RandomSource& source, Random& random)
+    {
+      const int ranks = static_cast<int>(random.between(2, 5));
+      return distancesOnRanks(
+        random.chance(0.5) ? cutInSpace(mesh, ranks, random) : cutAtRandom(mesh, ranks, random),
+        source);
+    });
+}
 
 // A path bends at vertex 5, the middle corner of face 2 5 3, and crosses that face.
 TEST(RemovedFaces, APathBendsAtTheMiddleCornerOfACap)
@@ -62,146 +329,6 @@ TEST(RemovedFaces, APathBendsAtTheMiddleCornerOfACap)
   const double truth = std::sqrt(20.0) + std::sqrt(24.0);
   EXPECT_NEAR(distancesFrom(4, cleaned)[1], truth, 1e-13);
   EXPECT_NEAR(distancesFrom(1, cleaned)[4], truth, 1e-13);
-}
-
-namespace
-{
-
-/// How far corners of caps are moved off their edges, as fractions of the size.
-constexpr double Offsets[] = { 0.0, 1e-17, 1e-16, 1e-15, 1e-14, 5e-14, 1e-13, 2e-13, 5e-13, 1e-12 };
-
-void compareCaps(Caps caps, std::uint64_t firstSeed)
-{
-  double worst = 0.0;
-  const Seeds seeds = seedsOfTest(100);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
-  {
-    Random random(seed + firstSeed);
-    const PlainMesh plain = bumpySheet(random.between(1, 4), random.between(1, 4),
-      random.chance(0.3) ? 1 : 0, random.uniform(0.0, 3.0), random);
-    CappedMesh both = withCaps(plain, caps, random.uniform(0.3, 1.0), random);
-    const double offset = Offsets[random.below(std::size(Offsets))];
-    SCOPED_TRACE(
-      "seed " + std::to_string(seed) + ", offset " + std::to_string(1e16 * offset) + "e-16");
-    for (std::size_t i = plain.points.size(); i < both.mesh.points.size(); ++i)
-    {
-      for (double& x : both.mesh.points[i])
-      {
-        x += offset * random.uniform(-1.0, 1.0);
-      }
-    }
-    both.conforming.points = both.mesh.points;
-    const CleanedMesh cleaned = withoutFlatFaces(both.mesh);
-    const Index source = random.below(both.mesh.points.size());
-    const std::vector<double> truth = trueDistancesFrom(source, both.conforming);
-    const double error =
-      worstError(distancesFrom(source, cleaned), truth, std::max(1.0, largestFinite(truth)));
-    EXPECT_LE(error, 1e-10);
-    worst = std::max(worst, error);
-  }
-  std::cout << "worst relative error " << worst << "\n";
-}
-
-} // anonymous namespace
-
-TEST(RemovedFaces, DistancesAcrossOneCapAnEdgeAreThoseWithoutIt)
-{
-  compareCaps(Caps::One, 700000);
-}
-
-TEST(RemovedFaces, DistancesAcrossSeveralCapsAnEdgeAreThoseWithoutThem)
-{
-  compareCaps(Caps::Several, 800000);
-}
-
-namespace
-{
-
-/// \param add (mesh, random) -> the mesh with faces without area, cleaned: its first points are the
-///        mesh's, whose distances do not change.
-template <typename Add>
-void expectNoChange(std::uint64_t firstSeed, const Add& add)
-{
-  double worst = 0.0;
-  const Seeds seeds = seedsOfTest(100);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
-  {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + firstSeed);
-    const PlainMesh plain =
-      bumpySheet(random.between(1, 4), random.between(1, 4), 0, random.uniform(0.0, 3.0), random);
-    const CleanedMesh cleaned = add(plain, random);
-    const Index source = random.below(plain.points.size());
-    const std::vector<double> truth = trueDistancesFrom(source, plain);
-    std::vector<double> found = distancesFrom(source, cleaned);
-    for (const double distance : found)
-    {
-      EXPECT_TRUE(std::isfinite(distance));
-    }
-    found.resize(plain.points.size());
-    const double error = worstError(found, truth, largestFinite(truth));
-    EXPECT_LE(error, 1e-10);
-    worst = std::max(worst, error);
-  }
-  std::cout << "worst relative error " << worst << "\n";
-}
-
-} // anonymous namespace
-
-TEST(RemovedFaces, PocketsChangeNoDistance)
-{
-  expectNoChange(900000,
-    [](const PlainMesh& plain, Random& random)
-    { return withoutFlatFaces(withPockets(plain, random.between(1, 6), random)); });
-}
-
-namespace
-{
-
-/// Opens vertices: each becomes two at one place, with needles between that join their faces again.
-/// Truth is the mesh before.
-PlainMesh withNeedles(const PlainMesh& mesh, double fraction, Random& random)
-{
-  PlainMesh result = mesh;
-  const std::size_t count = mesh.triangles.size();
-  for (Index v = 0; v < mesh.points.size(); ++v)
-  {
-    if (!random.chance(fraction))
-    {
-      continue;
-    }
-    const auto other = static_cast<Index>(result.points.size());
-    result.points.push_back(result.points[v]);
-    // One face takes the new vertex; at both of its edges there a needle joins it to the others.
-    for (std::size_t f = 0; f < count; ++f)
-    {
-      Triangle& t = result.triangles[f];
-      const auto k = static_cast<std::size_t>(std::find(t.begin(), t.end(), v) - t.begin());
-      if (k < 3)
-      {
-        t[k] = other;
-        const Triangle before = t;
-        result.triangles.push_back({ v, before[(k + 1) % 3], other });
-        result.triangles.push_back({ v, other, before[(k + 2) % 3] });
-        break;
-      }
-    }
-  }
-  return result;
-}
-
-} // anonymous namespace
-
-TEST(RemovedFaces, NeedlesChangeNoDistance)
-{
-  expectNoChange(950000,
-    [](const PlainMesh& plain, Random& random)
-    {
-      const CleanedMesh cleaned =
-        withoutFlatFaces(withNeedles(plain, random.uniform(0.1, 1.0), random));
-      EXPECT_EQ(facesWithoutArea(cleaned.mesh), 0U);
-      return cleaned;
-    });
 }
 
 // Two squares side by side that share no point of their common side from (1, 0) to (1, 1), but for
@@ -233,6 +360,26 @@ TEST(RemovedFaces, ANeedleClosesNoSlitBesideIt)
     {
       EXPECT_TRUE(engine.isBoundary(halfedge));
     }
+  }
+}
+
+// Two caps beside the first face put vertex 0 onto both of its edges at vertex 1.
+TEST(RemovedFaces, AVertexOfAThinFaceBetweenTwoCapsIsReached)
+{
+  PlainMesh mesh;
+  mesh.points = { { 0, 0, 0 }, { -9e-13, 5e-13, 0 }, { 0.17, 1.2e-12, 0 }, { 0.182, 0, 0 },
+    { 0.1, -1, 0 } };
+  mesh.triangles = { { 2, 1, 3 }, { 0, 3, 1 }, { 0, 1, 2 }, { 0, 4, 3 } };
+  ASSERT_EQ(facesWithoutArea(mesh), 2U);
+  const CleanedMesh cleaned = withoutFlatFaces(mesh);
+  for (const Triangle& t : cleaned.mesh.triangles)
+  {
+    EXPECT_TRUE(geodesic::hasThreeVertices(t));
+  }
+  const std::vector<double> distances = distancesFrom(4, cleaned);
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  {
+    EXPECT_NEAR(distances[i], spaceDistance(mesh.points[4], mesh.points[i]), 1e-11) << i;
   }
 }
 
@@ -282,18 +429,14 @@ namespace
 /// The places of the corners of each face, in an order that does not depend on ranks.
 using FaceSet = std::multiset<std::array<Vec3, 3>>;
 
-void addFaces(
-  const geodesic::CutTriangles& cut, const std::vector<geodesic::Vec3>& points, FaceSet& faces)
+void addFaces(const std::vector<geodesic::Vec3>& points,
+  const std::vector<geodesic::Triangle>& triangles, FaceSet& faces)
 {
-  for (std::size_t i = 0; i < cut.parts.size(); ++i)
+  for (const geodesic::Triangle& t : triangles)
   {
-    if (cut.areFaces[i])
-    {
-      std::array<Vec3, 3> places = { points[cut.parts[i][0]], points[cut.parts[i][1]],
-        points[cut.parts[i][2]] };
-      std::sort(places.begin(), places.end());
-      faces.insert(places);
-    }
+    std::array<Vec3, 3> places = { points[t[0]], points[t[1]], points[t[2]] };
+    std::sort(places.begin(), places.end());
+    faces.insert(places);
   }
 }
 
@@ -305,61 +448,27 @@ FaceSet facesOnRanks(const CutMesh& cut)
     .run(
       [&](geodesic::Exchange& exchange)
       {
-        std::vector<geodesic::Vec3> points;
-        std::vector<std::uint64_t> keys;
-        std::vector<geodesic::Triangle> triangles;
-        std::map<Index, geodesic::Id> numbers;
-        for (std::size_t f = 0; f < cut.mesh.triangles.size(); ++f)
-        {
-          if (cut.rankOfFace[f] == exchange.rank())
-          {
-            geodesic::Triangle& t = triangles.emplace_back();
-            for (std::size_t k = 0; k < 3; ++k)
-            {
-              const Index v = cut.mesh.triangles[f][k];
-              const auto [found, isNew] =
-                numbers.emplace(v, static_cast<geodesic::Id>(points.size()));
-              if (isNew)
-              {
-                points.push_back(cut.mesh.points[v]);
-                keys.push_back(v);
-              }
-              t[k] = found->second;
-            }
-          }
-        }
-        const geodesic::CutTriangles result = geodesic::removeFacesWithoutArea(
-          points, keys, cut.mesh.points.size(), triangles, {}, exchange);
+        const Piece piece = cleanedPiece(cut, exchange).piece;
         const std::lock_guard<std::mutex> lock(mutex);
-        addFaces(result, points, faces);
+        addFaces(piece.points, piece.triangles, faces);
       });
   return faces;
 }
 
 } // anonymous namespace
 
-TEST(RemovedFaces, RanksHaveTheFacesOfOneProcess)
+TEST_P(RemovedFacesOfAKind, AreTheSameOnRanks)
 {
-  const Seeds seeds = seedsOfTest(60);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
-  {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 970000);
-    const PlainMesh plain =
-      bumpySheet(random.between(1, 4), random.between(1, 4), 0, random.uniform(0.0, 3.0), random);
-    const PlainMesh mesh = random.chance(0.5) ? withCaps(plain, Caps::Several, 0.7, random).mesh
-      : random.chance(0.5)                    ? withPockets(plain, random.between(1, 6), random)
-                                              : withNeedles(plain, 0.5, random);
-    std::vector<geodesic::Vec3> points(mesh.points.begin(), mesh.points.end());
-    std::vector<std::uint64_t> keys;
-    FaceSet truth;
-    const geodesic::CutTriangles whole = geodesic::removeFacesWithoutArea(
-      points, keys, points.size(), mesh.triangles, {}, geodesic::OneRank::instance());
-    ASSERT_FALSE(whole.isEmpty());
-    addFaces(whole, points, truth);
-    for (const int ranks : { 2, 3, 5 })
+  forEachSeed(12, 970000,
+    [](Random& random)
     {
-      EXPECT_TRUE(facesOnRanks(cutAtRandom(mesh, ranks, random)) == truth) << ranks << " ranks";
-    }
-  }
+      const PlainMesh mesh = randomSurface(GetParam(), randomOffset(random), random).mesh;
+      const PlainMesh whole = withoutFlatFaces(mesh).mesh;
+      FaceSet truth;
+      addFaces(whole.points, whole.triangles, truth);
+      for (const int ranks : { 2, 3, 5 })
+      {
+        EXPECT_TRUE(facesOnRanks(cutAtRandom(mesh, ranks, random)) == truth) << ranks << " ranks";
+      }
+    });
 }

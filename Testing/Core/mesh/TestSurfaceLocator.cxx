@@ -154,15 +154,15 @@ TEST(SurfaceLocator, AtAVertexItsFacesAreFoundInOrder)
   EXPECT_EQ(locator.closest(mesh.point(12), Epsilon), around);
 }
 
-TEST(SurfaceLocator, FacesWithoutAreaCountLikeAllOthers)
+TEST(SurfaceLocator, FacesWithoutAreaCountWhereThereAreNoOthers)
 {
   // The second triangle lies in the first one's edge, the third is separate.
   const TriangleMesh mesh({ { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 0 }, { 1, 0, 0 },
                             { 2, 0, 0 }, { 0, 5, 0 }, { 1, 5, 0 }, { 0, 5, 0 } },
     { { 0, 1, 2 }, { 3, 4, 5 }, { 6, 7, 8 } });
   Locator locator(mesh);
-  EXPECT_EQ(locator.closest({ 0.7, 0.0, 0.0 }, Epsilon), (std::vector<Id>{ 0, 1 }));
-  EXPECT_EQ(locator.closest({ 0.7, -0.2, 0.1 }, Epsilon), (std::vector<Id>{ 0, 1 }));
+  EXPECT_EQ(locator.closest({ 0.7, 0.0, 0.0 }, Epsilon), (std::vector<Id>{ 0 }));
+  EXPECT_EQ(locator.closest({ 0.7, -0.2, 0.1 }, Epsilon), (std::vector<Id>{ 0 }));
   EXPECT_EQ(locator.closest({ 0.7, 0.3, 0.0 }, Epsilon), (std::vector<Id>{ 0 }));
   EXPECT_EQ(locator.closest({ 0.5, 5.1, 0.0 }, Epsilon), (std::vector<Id>{ 2 }));
 }

@@ -167,7 +167,7 @@ PlainMesh badMesh(Random& random)
                                               : meshKinds()[kind].make(faces, random);
   if (random.chance(0.3))
   {
-    mesh = withPockets(mesh, random.between(1, 30), random);
+    mesh = withCaps(mesh, Caps::AnyAndLoose, random.uniform(0.01, 0.2), random).mesh;
   }
   if (random.chance(0.3))
   {

@@ -315,7 +315,7 @@ TEST(RefinementOfAnySurface, EndsSoon)
       meshKinds()[random.below(meshKinds().size())].make(random.between(4, 80), random);
     if (random.chance(0.5))
     {
-      plain = withPockets(plain, random.between(1, 6), random);
+      plain = withCaps(plain, Caps::AnyAndLoose, random.uniform(0.02, 0.5), random).mesh;
     }
     const double noise = std::pow(10.0, random.uniform(-17.0, -1.0));
     for (Vec3& p : plain.points)

@@ -448,6 +448,27 @@ TEST(SourceWindows, ASegmentInAFaceAtOnePointIsASourceThere)
   EXPECT_NEAR(distances[5], 5.0, 1e-15);
 }
 
+// A walk around such a point once went around the vertex for ever.
+TEST(SourceWindows, ASegmentThatEndsSomeRoundingsBesideAVertexIsASourceFromThere)
+{
+  const TriangleMesh mesh = engineMesh(regularGrid(2, 2));
+  for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+  {
+    for (const double t : { 3e-15, 1.0 - 3e-15 })
+    {
+      SourceCurve curve;
+      curve.points = { SurfacePoint::onEdge(halfedge, t),
+        SurfacePoint::inFace(TriangleMesh::faceOf(halfedge), 0.3, 0.3) };
+      curve.isCut = { 0, 0 };
+      curve.faces = { TriangleMesh::faceOf(halfedge) };
+      const std::vector<double> beside = solve(mesh, { curve }).vertexDistances();
+      curve.points[0] =
+        SurfacePoint::atVertex(t < 0.5 ? mesh.origin(halfedge) : mesh.destination(halfedge));
+      EXPECT_LE(worstError(beside, solve(mesh, { curve }).vertexDistances(), 1.0), 1e-12);
+    }
+  }
+}
+
 TEST(SourceWindows, AWatcherCanStopTheWorkAroundOneVertex)
 {
   const TriangleMesh mesh = engineMesh(BranchingFan(3000, 3.0).mesh);

@@ -17,36 +17,65 @@ struct PointOnEdge
   bool operator<(const PointOnEdge& other) const { return this->fraction < other.fraction; }
 };
 
-/// New vertices on the edge from a to b, in their order.
-std::vector<PointOnEdge> addPoints(
-  PlainMesh& mesh, Index a, Index b, Index count, Random& random, double shift)
+/// Vertices on an edge, in their order.
+using Chain = std::vector<PointOnEdge>;
+/// Vertices on the edges of a face, from each corner to the next.
+using Splits = std::array<std::vector<Index>, 3>;
+
+/// An edge of a face; without a face it is the edge of a pocket.
+struct Side
 {
-  std::vector<PointOnEdge> points;
+  static constexpr Index NoFace = ~Index(0);
+  Index face = NoFace;
+  std::size_t k = 0;
+};
+
+Vec3 beside(const Vec3& place, double offset, Random& random)
+{
+  Vec3 moved = place;
+  for (double& x : moved)
+  {
+    x += offset > 0.0 ? offset * random.uniform(-1.0, 1.0) : 0.0;
+  }
+  return moved;
+}
+
+/// Adds new vertices on the edge from a to b.
+Chain addPoints(
+  PlainMesh& mesh, const std::pair<Index, Index>& edge, Index count, Random& random, double offset)
+{
+  const Vec3 p = mesh.points[edge.first];
+  const Vec3 q = mesh.points[edge.second];
+  const double shift = random.uniform(0.0, 0.5);
+  Chain points;
   for (Index i = 0; i < count; ++i)
   {
     const double t = (i + shift + random.uniform(0.05, 0.4)) / count;
-    const Vec3 p = mesh.points[a];
-    const Vec3 q = mesh.points[b];
     points.push_back({ t, static_cast<Index>(mesh.points.size()) });
-    mesh.points.push_back(
-      { (1.0 - t) * p[0] + t * q[0], (1.0 - t) * p[1] + t * q[1], (1.0 - t) * p[2] + t * q[2] });
+    mesh.points.push_back(beside(
+      { (1.0 - t) * p[0] + t * q[0], (1.0 - t) * p[1] + t * q[1], (1.0 - t) * p[2] + t * q[2] },
+      offset, random));
   }
   return points;
 }
 
-/// The face cut at points on its edge from `from` to the vertex behind it, if there are any.
-void addCut(std::vector<Triangle>& triangles, const Triangle& face, Index from,
-  const std::vector<Index>& points)
+/// Appends a face that is cut at points on its edges.
+void addCut(std::vector<Triangle>& triangles, const Triangle& face, const Splits& splits)
 {
-  const auto k = static_cast<std::size_t>(std::find(face.begin(), face.end(), from) - face.begin());
-  const Index apex = face[(k + 2) % 3];
-  Index last = from;
-  for (const Index point : points)
+  const auto cut = std::find_if(
+    splits.begin(), splits.end(), [](const std::vector<Index>& edge) { return !edge.empty(); });
+  if (cut == splits.end())
   {
-    triangles.push_back({ last, point, apex });
-    last = point;
+    triangles.push_back(face);
+    return;
   }
-  triangles.push_back({ last, face[(k + 1) % 3], apex });
+  const auto k = static_cast<std::size_t>(cut - splits.begin());
+  const std::size_t next = (k + 1) % 3;
+  const std::size_t previous = (k + 2) % 3;
+  const Index point = cut->front();
+  addCut(triangles, { face[k], point, face[previous] }, { { {}, {}, splits[previous] } });
+  addCut(triangles, { point, face[next], face[previous] },
+    { { std::vector<Index>(cut->begin() + 1, cut->end()), splits[next], {} } });
 }
 
 /// Cuts off the corners of a polygon in any order.
@@ -61,7 +90,7 @@ void addPolygon(std::vector<Triangle>& triangles, std::vector<Index> polygon, Ra
   }
 }
 
-std::vector<Index> verticesOf(const std::vector<PointOnEdge>& points, bool isReversed)
+std::vector<Index> verticesOf(const Chain& points, bool isReversed)
 {
   std::vector<Index> vertices;
   for (const PointOnEdge& p : points)
@@ -75,96 +104,199 @@ std::vector<Index> verticesOf(const std::vector<PointOnEdge>& points, bool isRev
   return vertices;
 }
 
-} // anonymous namespace
-
-CappedMesh withCaps(const PlainMesh& mesh, Caps caps, double fraction, Random& random)
+/// Adds loose faces on one line.
+void addLooseFaces(std::vector<Triangle>& triangles, const std::vector<Index>& line, Random& random)
 {
-  CappedMesh result;
-  result.mesh.points = mesh.points;
-  std::map<std::pair<Index, Index>, Index> faceOf;
-  for (Index f = 0; f < mesh.triangles.size(); ++f)
+  for (Index extra = random.between(0, 5); extra > 0 && line.size() > 2; --extra)
   {
-    for (std::size_t k = 0; k < 3; ++k)
+    const auto size = static_cast<Index>(line.size());
+    const Index i = random.below(size);
+    const Index j = (i + random.between(1, size - 1)) % size;
+    const Index l = random.below(size);
+    if (l != i && l != j)
     {
-      faceOf[{ mesh.triangles[f][k], mesh.triangles[f][(k + 1) % 3] }] = f;
+      triangles.push_back({ line[i], line[j], line[l] });
     }
   }
-  const bool isOne = caps == Caps::One;
-  std::vector<bool> isDone(mesh.triangles.size(), false);
-  for (const auto& [edge, f] : faceOf)
-  {
-    const auto [a, b] = edge;
-    const auto behind = faceOf.find({ b, a });
-    if (behind == faceOf.end() || isDone[f] || isDone[behind->second] || !random.chance(fraction))
-    {
-      continue;
-    }
-    const Index g = behind->second;
-    isDone[f] = true;
-    isDone[g] = true;
-    const std::vector<PointOnEdge> left =
-      addPoints(result.mesh, a, b, isOne ? 1 : random.between(1, 3), random, 0.0);
-    const std::vector<PointOnEdge> right = addPoints(
-      result.mesh, a, b, isOne || random.chance(0.6) ? 0 : random.between(1, 2), random, 0.5);
-    std::vector<PointOnEdge> all = left;
-    all.insert(all.end(), right.begin(), right.end());
-    std::sort(all.begin(), all.end());
-    addCut(result.mesh.triangles, mesh.triangles[f], a, verticesOf(left, false));
-    addCut(result.mesh.triangles, mesh.triangles[g], b, verticesOf(right, true));
-    addCut(result.conforming.triangles, mesh.triangles[f], a, verticesOf(all, false));
-    addCut(result.conforming.triangles, mesh.triangles[g], b, verticesOf(all, true));
-    // f runs along the gap from a to b, so that the gap has it on its right.
-    std::vector<Index> gap = { b };
-    const std::vector<Index> back = verticesOf(left, true);
-    gap.insert(gap.end(), back.begin(), back.end());
-    gap.push_back(a);
-    const std::vector<Index> forth = verticesOf(right, false);
-    gap.insert(gap.end(), forth.begin(), forth.end());
-    addPolygon(result.mesh.triangles, gap, random);
-  }
-  for (Index f = 0; f < mesh.triangles.size(); ++f)
-  {
-    if (!isDone[f])
-    {
-      result.mesh.triangles.push_back(mesh.triangles[f]);
-      result.conforming.triangles.push_back(mesh.triangles[f]);
-    }
-  }
-  result.conforming.points = result.mesh.points;
-  return result;
 }
 
-PlainMesh withPockets(const PlainMesh& mesh, Index pockets, Random& random)
+/// Puts new vertices onto edges.
+class Capper
 {
-  PlainMesh result = mesh;
-  for (Index pocket = 0; pocket < pockets; ++pocket)
+public:
+  Capper(const PlainMesh& mesh, Caps caps, Random& random, double offset)
+    : before_(mesh)
+    , caps_(caps)
+    , random_(random)
+    , offset_(offset)
+    , own_(mesh.triangles.size())
+    , all_(mesh.triangles.size())
+    , isDone_(mesh.triangles.size(), false)
   {
-    const Triangle& face = mesh.triangles[random.below(mesh.triangles.size())];
-    const Index k = random.below(3);
-    const Index a = face[k];
-    const Index b = face[(k + 1) % 3];
-    std::vector<Index> all = { a, b };
-    for (const PointOnEdge& p : addPoints(result, a, b, random.between(1, 4), random, 0.0))
+    this->result_.mesh.points = mesh.points;
+  }
+
+  CappedMesh run(double fraction)
+  {
+    std::map<std::pair<Index, Index>, std::vector<Side>> sidesAt;
+    for (Index f = 0; f < this->before_.triangles.size(); ++f)
     {
-      all.push_back(p.vertex);
-    }
-    std::vector<Index> around = all;
-    std::rotate(around.begin() + 1, around.begin() + 2, around.end()); // b last
-    addPolygon(result.triangles, around, random);
-    // Any faces on the same line, so that edges get many of them and the pocket is closed anyhow.
-    for (Index extra = random.between(0, 5); extra > 0 && all.size() > 2; --extra)
-    {
-      const Index i = random.below(all.size());
-      const Index j = (i + random.between(1, static_cast<Index>(all.size()) - 1)) %
-        static_cast<Index>(all.size());
-      const Index l = random.below(all.size());
-      if (l != i && l != j)
+      for (std::size_t k = 0; k < 3; ++k)
       {
-        result.triangles.push_back({ all[i], all[j], all[l] });
+        const Triangle& t = this->before_.triangles[f];
+        sidesAt[std::minmax({ t[k], t[(k + 1) % 3] })].push_back({ f, k });
+      }
+    }
+    for (const auto& [edge, sides] : sidesAt)
+    {
+      if (this->mayHaveCaps(sides) && this->random_.chance(fraction))
+      {
+        this->addCaps(edge, sides);
+      }
+    }
+    for (Index f = 0; f < this->before_.triangles.size(); ++f)
+    {
+      addCut(this->result_.mesh.triangles, this->before_.triangles[f], this->own_[f]);
+      this->result_.facesBefore.resize(this->result_.mesh.triangles.size(), { f });
+      addCut(this->result_.conforming.triangles, this->before_.triangles[f], this->all_[f]);
+      this->result_.faceBefore.resize(this->result_.conforming.triangles.size(), f);
+    }
+    const auto insertAtEnd = [](auto& to, const auto& from)
+    { to.insert(to.end(), from.begin(), from.end()); };
+    insertAtEnd(this->result_.mesh.triangles, this->flat_);
+    insertAtEnd(this->result_.facesBefore, this->facesAtFlat_);
+    for (Index i = 0; i < this->result_.mesh.points.size(); ++i)
+    {
+      this->result_.vertexOf.push_back(i);
+    }
+    this->result_.conforming.points = this->result_.mesh.points;
+    return this->result_;
+  }
+
+private:
+  bool mayHaveCaps(const std::vector<Side>& sides) const
+  {
+    return this->caps_ >= Caps::Any ||
+      (sides.size() == 2 && !this->isDone_[sides[0].face] && !this->isDone_[sides[1].face]);
+  }
+
+  Index numberOfPoints(bool isFirst)
+  {
+    if (this->caps_ == Caps::One)
+    {
+      return isFirst ? 1 : 0;
+    }
+    return isFirst                ? this->random_.between(1, 3)
+      : this->random_.chance(0.6) ? 0
+                                  : this->random_.between(1, 2);
+  }
+
+  void addCaps(const std::pair<Index, Index>& edge, std::vector<Side> sides)
+  {
+    std::vector<Index> faces;
+    for (const Side& side : sides)
+    {
+      faces.push_back(side.face);
+      this->isDone_[side.face] = true;
+    }
+    sides.resize(sides.size() + (this->caps_ >= Caps::Any ? this->random_.below(3) : 0));
+    std::rotate(sides.begin(), sides.begin() + this->random_.below(sides.size()), sides.end());
+    std::vector<Chain> chains;
+    Chain all;
+    for (std::size_t i = 0; i < sides.size(); ++i)
+    {
+      chains.push_back(addPoints(
+        this->result_.mesh, edge, this->numberOfPoints(i == 0), this->random_, this->offset_));
+      all.insert(all.end(), chains[i].begin(), chains[i].end());
+      if (i > 0)
+      {
+        this->closeGap(edge, chains[this->random_.below(i)], chains[i]);
+      }
+    }
+    std::sort(all.begin(), all.end());
+    if (this->caps_ == Caps::AnyAndLoose)
+    {
+      std::vector<Index> line = verticesOf(all, false);
+      line.insert(line.end(), { edge.first, edge.second });
+      addLooseFaces(this->flat_, line, this->random_);
+    }
+    this->facesAtFlat_.resize(this->flat_.size(), faces);
+    for (std::size_t i = 0; i < sides.size(); ++i)
+    {
+      if (sides[i].face != Side::NoFace)
+      {
+        const auto [f, k] = sides[i];
+        const bool isReversed = this->before_.triangles[f][k] != edge.first;
+        this->own_[f][k] = verticesOf(chains[i], isReversed);
+        this->all_[f][k] = verticesOf(all, isReversed);
       }
     }
   }
-  return result;
+
+  void closeGap(const std::pair<Index, Index>& edge, const Chain& left, const Chain& right)
+  {
+    std::vector<Index> gap = { edge.second };
+    const std::vector<Index> back = verticesOf(left, true);
+    gap.insert(gap.end(), back.begin(), back.end());
+    gap.push_back(edge.first);
+    const std::vector<Index> forth = verticesOf(right, false);
+    gap.insert(gap.end(), forth.begin(), forth.end());
+    addPolygon(this->flat_, gap, this->random_);
+  }
+
+  const PlainMesh& before_;
+  Caps caps_;
+  Random& random_;
+  double offset_;
+  CappedMesh result_;
+  /// Those without area, and the faces at their edges.
+  std::vector<Triangle> flat_;
+  std::vector<std::vector<Index>> facesAtFlat_;
+  /// The vertices of each face's own, and of all at its edges.
+  std::vector<Splits> own_;
+  std::vector<Splits> all_;
+  std::vector<bool> isDone_;
+};
+
+} // anonymous namespace
+
+CappedMesh withCaps(
+  const PlainMesh& mesh, Caps caps, double fraction, Random& random, double offset)
+{
+  return Capper(mesh, caps, random, offset).run(fraction);
+}
+
+void addNeedles(CappedMesh& both, double fraction, Random& random, double offset)
+{
+  PlainMesh& mesh = both.mesh;
+  std::vector<std::vector<Index>> facesAt(mesh.points.size());
+  for (Index f = 0; f < mesh.triangles.size(); ++f)
+  {
+    for (const Index v : mesh.triangles[f])
+    {
+      facesAt[v].push_back(f);
+    }
+  }
+  for (Index v = 0; v < facesAt.size(); ++v)
+  {
+    if (facesAt[v].empty() || !random.chance(fraction))
+    {
+      continue;
+    }
+    const auto other = static_cast<Index>(mesh.points.size());
+    mesh.points.push_back(beside(mesh.points[v], offset, random));
+    both.conforming.points.push_back(mesh.points.back());
+    both.vertexOf.push_back(both.vertexOf[v]);
+    const Index f = facesAt[v][random.below(facesAt[v].size())];
+    Triangle& t = mesh.triangles[f];
+    const auto k = static_cast<std::size_t>(std::find(t.begin(), t.end(), v) - t.begin());
+    t[k] = other;
+    const Triangle before = t;
+    mesh.triangles.push_back({ v, before[(k + 1) % 3], other });
+    mesh.triangles.push_back({ v, other, before[(k + 2) % 3] });
+    const std::vector<Index> faces = both.facesBefore[f];
+    both.facesBefore.resize(mesh.triangles.size(), faces);
+  }
 }
 
 }
