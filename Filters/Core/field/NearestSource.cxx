@@ -17,8 +17,6 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
   , mesh_(field.mesh())
   , curves_(patch, curves)
   , origins_(field.mesh().numberOfVertices())
-  , sectors_(patch.mesh())
-  , directions_(patch.mesh())
 {
   const MeshPartition& part = field.surface();
   for (const VertexOnCurve& on : this->curves_.vertices())
@@ -47,9 +45,7 @@ IncomingSegment NearestSource::originTo(Id vertex) const
 {
   const Arrival& arrival = this->field_.arrivals()[vertex];
   const auto isNear = [&]
-  {
-    return norm(arrival.direction) < tolerance::NearEdge * this->mesh_.length(arrival.halfedge);
-  };
+  { return norm(arrival.direction) < tolerance::NearEdge * this->mesh_.length(arrival.halfedge); };
   if (!arrival.isThroughWindow() || isNear() || cornerCrossed(this->mesh_, arrival) != NoId)
   {
     return incomingSegmentTo(this->field_, SurfacePoint::atVertex(vertex));
@@ -127,8 +123,7 @@ PathOrigin NearestSource::originOf(const IncomingSegment& piece)
     piece.kind == IncomingSegment::Kind::Corner ? this->onCurveAt(origin.vertex()) : nullptr;
   if (on != nullptr)
   {
-    this->goToVertex(on->vertex);
-    return this->inSector(piece);
+    return this->inFanAt(on->curve, on->parameter, piece);
   }
   return this->ofVertex(origin.vertex());
 }
@@ -147,41 +142,45 @@ PathOrigin NearestSource::atSource(const IncomingSegment& piece)
     const bool isRight = cross(along, piece.ray.direction) < 0.0;
     return { RayOrigin::curveSide(source.curve, isRight), RayStart::atParameter(parameter) };
   }
-  const double parameter = piece.along > 0.0 ? source.parameterOfB : source.parameterOfA;
-  this->goToPoint(this->curves_.chains().pointAt(source.curve, parameter));
-  return this->inSector(piece);
+  return this->inFanAt(
+    source.curve, piece.along > 0.0 ? source.parameterOfB : source.parameterOfA, piece);
 }
 
-// The curve and the side to which the piece's direction belongs at the current point.
-PathOrigin NearestSource::inSector(const IncomingSegment& piece)
+// The piece's direction in the fan of a chain's point: the side that it belongs to, and its angle.
+PathOrigin NearestSource::inFanAt(Id chain, double parameter, const IncomingSegment& piece)
 {
   const Id face = this->curves_.patch().faceAt(
     this->field_.surface().addressOf(TriangleMesh::faceOf(piece.ray.halfedge)));
   const Id halfedge = TriangleMesh::inCopy(piece.ray.halfedge, face);
-  const SideOfCurve side = this->sectors_.of(halfedge, piece.ray.direction);
-  double around = Infinity;
-  if (this->field_.hasAngles() && dot(piece.ray.direction, piece.ray.direction) > 0.0)
-  {
-    this->goAround(this->curves_.chains().pointAt(side.curve, side.parameter));
-    around = this->directions_.around(halfedge, piece.ray.direction);
-  }
-  return this->atPoint(side, around);
+  const Vec2 direction = piece.ray.direction;
+  const FanAround& fan = this->fanAt(chain, parameter);
+  const bool hasAngle =
+    this->field_.hasAngles() && dot(direction, direction) > 0.0 && fan.hasFace(face);
+  return this->atPoint(
+    fan.sideOf(halfedge, direction), hasAngle ? fan.angleOf(halfedge, direction) : Infinity);
 }
 
-PathOrigin NearestSource::atPoint(const SideOfCurve& side, double around) const
+PathOrigin NearestSource::atPoint(const SideOfCurve& side, double angleInFan) const
 {
   const Id point = this->curves_.chains().pointAt(side.curve, side.parameter);
-  return { RayOrigin::pointSide(point, side.isRight), RayStart::atAngle(around) };
+  return { RayOrigin::pointSide(point, side.isRight), RayStart::atAngle(angleInFan) };
 }
 
-void NearestSource::goAround(Id number)
+// All curves at a vertex have the same fan there.
+const FanAround& NearestSource::fanAt(Id chain, double parameter)
 {
-  if (number != this->directionsPoint_)
+  const CurveChains& chains = this->curves_.chains();
+  Id number = chains.pointAt(chain, parameter);
+  if (const VertexOnCurve* on = this->curves_.vertexAtPlaceOf(chains.pointWith(number)))
   {
-    const PointWithEnds at = this->curves_.around(number);
-    this->directions_.assign(at.point, at.ends);
-    this->directionsPoint_ = number;
+    number = chains.pointAt(on->curve, on->parameter);
   }
+  if (number != this->fanPoint_)
+  {
+    this->fan_.emplace(this->meshOfCurves(), this->curves_.placeOf(chains.pointWith(number)));
+    this->fanPoint_ = number;
+  }
+  return *this->fan_;
 }
 
 PathOrigin NearestSource::ofVertex(Id globalId) const
@@ -200,31 +199,6 @@ const VertexOnCurve* NearestSource::onCurveAt(Id globalId) const
   return this->curves_.find(this->curves_.patch().vertexAt(globalId));
 }
 
-void NearestSource::goToVertex(Id vertex)
-{
-  if (vertex != this->sectorsVertex_)
-  {
-    const VertexOnCurve& on = *this->curves_.find(vertex);
-    this->sectors_.assign(
-      SurfacePoint::atVertex(vertex), this->curves_.endsAround(vertex), on.curve, on.parameter);
-    this->sectorsVertex_ = vertex;
-  }
-}
-
-void NearestSource::goToPoint(Id number)
-{
-  const PointWithEnds at = this->curves_.around(number);
-  if (at.point.kind == SurfacePoint::Kind::Vertex)
-  {
-    this->goToVertex(at.point.id);
-    return;
-  }
-  const CurveChains::Point point = this->curves_.chains().pointWith(number);
-  const double parameter = this->curves_.chains().parameters(point.chain)[point.i];
-  this->sectors_.assign(at.point, at.ends, point.chain, parameter);
-  this->sectorsVertex_ = NoId;
-}
-
 Foot NearestSource::footOf(const PathOrigin& path) const
 {
   Foot foot;
@@ -238,7 +212,7 @@ Foot NearestSource::footOf(const PathOrigin& path) const
     const CurveChains::Point point = chains.pointWith(path.origin.point());
     foot.chain = point.chain;
     foot.parameter = chains.parameters(point.chain)[point.i];
-    foot.around = path.start.angle();
+    foot.angleInFan = path.start.angle();
   }
   else
   {
@@ -293,16 +267,16 @@ double NearestSource::angleOf(const Foot& foot)
   {
     throw Error("The angle of a path was asked for, but the solve did not keep angles.");
   }
-  if (std::isnan(foot.around))
+  if (std::isnan(foot.angleInFan))
   {
     return foot.isRight ? -RightAngle : RightAngle;
   }
-  if (!(std::abs(foot.around) < Infinity))
+  if (!(std::abs(foot.angleInFan) < Infinity))
   {
     return 0.0;
   }
-  this->goAround(this->curves_.chains().pointAt(foot.chain, foot.parameter));
-  return this->curves_.chains().angleFrom(foot.curve, this->directions_.angleOf(foot.around));
+  return this->curves_.chains().angleFrom(
+    foot.curve, this->fanAt(foot.chain, foot.parameter).angleFromCurve(foot.angleInFan));
 }
 
 }

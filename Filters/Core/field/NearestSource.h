@@ -3,11 +3,11 @@
 #define geodesic_NearestSource_h
 
 #include "field/IncomingSegment.h"
-#include "source/CurveSectors.h"
 #include "source/CurvesOnPatch.h"
-#include "source/DirectionsAround.h"
+#include "source/FanAround.h"
 
 #include <limits>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -28,15 +28,15 @@ struct Foot
   Id chain = NoId;
   double parameter = 0.0;
   /// If the path leaves a point of the curve: its angle around the point, not scaled
-  /// (DirectionsAround::around()). NaN if it leaves a segment at a right angle, infinite if it has
-  /// no direction.
-  double around = std::numeric_limits<double>::quiet_NaN();
+  /// (FanAround::angleOf()). NaN if it leaves a segment at a right angle, infinite if it has no
+  /// direction.
+  double angleInFan = std::numeric_limits<double>::quiet_NaN();
 
   bool isKnown() const { return this->curve != NoId; }
 };
 
 /// Where on the source a path begins: on a side of a curve, or at a curve's point, where the start
-/// is the path's own angle (Foot::around). While ranks ask each other, the origin may also be a
+/// is the path's own angle (Foot::angleInFan). While ranks ask each other, the origin may also be a
 /// vertex that another rank counts, and is open.
 struct PathOrigin
 {
@@ -121,13 +121,11 @@ private:
   bool isFromCurve(const IncomingSegment& piece) const;
   PathOrigin originOf(const IncomingSegment& piece);
   PathOrigin atSource(const IncomingSegment& piece);
-  PathOrigin inSector(const IncomingSegment& piece);
-  PathOrigin atPoint(const SideOfCurve& side, double around) const;
-  void goAround(Id point);
+  PathOrigin inFanAt(Id chain, double parameter, const IncomingSegment& piece);
+  PathOrigin atPoint(const SideOfCurve& side, double angleInFan) const;
+  const FanAround& fanAt(Id chain, double parameter);
   PathOrigin ofVertex(Id globalId) const;
   const VertexOnCurve* onCurveAt(Id globalId) const;
-  void goToVertex(Id vertex);
-  void goToPoint(Id point);
   Foot footOf(const PathOrigin& path) const;
 
   const DistanceField& field_;
@@ -138,12 +136,9 @@ private:
   std::vector<PathOrigin> origins_;
   /// Those of vertices that other ranks count, by their global ids; none in one process.
   std::unordered_map<Id, PathOrigin> elsewhere_;
-  /// Around the curve's point that was asked for last, and its vertex; NoId if it is at none.
-  CurveSectors sectors_;
-  Id sectorsVertex_ = NoId;
-  /// Around the point that was asked for last, and its number among the chains' points.
-  DirectionsAround directions_;
-  Id directionsPoint_ = NoId;
+  /// Around the curve's point that was asked for last, and its number among the chains' points.
+  std::optional<FanAround> fan_;
+  Id fanPoint_ = NoId;
 };
 
 }
