@@ -16,8 +16,6 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
   , mesh_(field.mesh())
   , curves_(patch, curves)
   , origins_(field.mesh().numberOfVertices())
-  , sectors_(patch.mesh())
-  , directions_(patch.mesh())
 {
   const MeshPartition& part = field.surface();
   for (const VertexOnCurve& on : this->curves_.vertices())
@@ -124,8 +122,7 @@ PathOrigin NearestSource::originOf(const IncomingSegment& piece)
     piece.kind == IncomingSegment::Kind::Corner ? this->onCurveAt(origin.vertex()) : nullptr;
   if (on != nullptr)
   {
-    this->goToVertex(on->vertex);
-    return this->inSector(piece);
+    return this->inFanAt(on->curve, on->parameter, piece);
   }
   return this->ofVertex(origin.vertex());
 }
@@ -144,24 +141,23 @@ PathOrigin NearestSource::atSource(const IncomingSegment& piece)
     const bool isRight = cross(along, piece.ray.direction) < 0.0;
     return { RayOrigin::curveSide(source.curve, isRight), false, RayStart::atParameter(parameter) };
   }
-  const double parameter = piece.along > 0.0 ? source.parameterOfB : source.parameterOfA;
-  this->goToPoint(this->curves_.chains().pointAt(source.curve, parameter));
-  return this->inSector(piece);
+  return this->inFanAt(
+    source.curve, piece.along > 0.0 ? source.parameterOfB : source.parameterOfA, piece);
 }
 
-// The curve and the side to which the piece's direction belongs at the current point.
-PathOrigin NearestSource::inSector(const IncomingSegment& piece)
+// The piece's direction in the fan of a chain's point: the side that it belongs to, and its angle.
+PathOrigin NearestSource::inFanAt(Id chain, double parameter, const IncomingSegment& piece)
 {
   const Id face = this->curves_.patch().faceAt(
     this->field_.surface().addressOf(TriangleMesh::faceOf(piece.ray.halfedge)));
   const Id halfedge = TriangleMesh::inCopy(piece.ray.halfedge, face);
-  const SideOfCurve side = this->sectors_.of(halfedge, piece.ray.direction);
-  PathOrigin path = this->atPoint(side);
-  if (this->field_.hasAngles() && dot(piece.ray.direction, piece.ray.direction) > 0.0)
+  const Vec2 direction = piece.ray.direction;
+  const FanAround& fan = this->fanAt(chain, parameter);
+  PathOrigin path = this->atPoint(fan.sideOf(halfedge, direction));
+  if (this->field_.hasAngles() && dot(direction, direction) > 0.0 && fan.hasFace(face))
   {
-    this->goAround(path.origin.point());
     path.hasAngle = true;
-    path.start = RayStart::atAngle(this->directions_.around(halfedge, piece.ray.direction));
+    path.start = RayStart::atAngle(fan.angleOf(halfedge, direction));
   }
   return path;
 }
@@ -172,14 +168,21 @@ PathOrigin NearestSource::atPoint(const SideOfCurve& side) const
   return { RayOrigin::pointSide(point, side.isRight) };
 }
 
-void NearestSource::goAround(Id number)
+// All curves at a vertex have the same fan there.
+const FanAround& NearestSource::fanAt(Id chain, double parameter)
 {
-  if (number != this->directionsPoint_)
+  const CurveChains& chains = this->curves_.chains();
+  Id number = chains.pointAt(chain, parameter);
+  if (const VertexOnCurve* on = this->curves_.vertexAtPlaceOf(chains.pointWith(number)))
   {
-    const PointWithEnds at = this->curves_.around(number);
-    this->directions_.assign(at.point, at.ends);
-    this->directionsPoint_ = number;
+    number = chains.pointAt(on->curve, on->parameter);
   }
+  if (number != this->fanPoint_)
+  {
+    this->fan_.emplace(this->meshOfCurves(), this->curves_.placeOf(chains.pointWith(number)));
+    this->fanPoint_ = number;
+  }
+  return *this->fan_;
 }
 
 PathOrigin NearestSource::ofVertex(Id globalId) const
@@ -198,31 +201,6 @@ const VertexOnCurve* NearestSource::onCurveAt(Id globalId) const
   return this->curves_.find(this->curves_.patch().vertexAt(globalId));
 }
 
-void NearestSource::goToVertex(Id vertex)
-{
-  if (vertex != this->sectorsVertex_)
-  {
-    const VertexOnCurve& on = *this->curves_.find(vertex);
-    this->sectors_.assign(
-      SurfacePoint::atVertex(vertex), this->curves_.endsAround(vertex), on.curve, on.parameter);
-    this->sectorsVertex_ = vertex;
-  }
-}
-
-void NearestSource::goToPoint(Id number)
-{
-  const PointWithEnds at = this->curves_.around(number);
-  if (at.point.kind == SurfacePoint::Kind::Vertex)
-  {
-    this->goToVertex(at.point.id);
-    return;
-  }
-  const CurveChains::Point point = this->curves_.chains().pointWith(number);
-  const double parameter = this->curves_.chains().parameters(point.chain)[point.i];
-  this->sectors_.assign(at.point, at.ends, point.chain, parameter);
-  this->sectorsVertex_ = NoId;
-}
-
 Foot NearestSource::footOf(const PathOrigin& path) const
 {
   Foot foot;
@@ -237,7 +215,7 @@ Foot NearestSource::footOf(const PathOrigin& path) const
     foot.chain = point.chain;
     foot.parameter = chains.parameters(point.chain)[point.i];
     foot.direction = path.hasAngle ? Foot::Direction::AroundPoint : Foot::Direction::None;
-    foot.around = path.start.angle();
+    foot.angleInFan = path.start.angle();
   }
   else
   {
@@ -301,8 +279,8 @@ double NearestSource::angleOf(const Foot& foot)
   {
     return 0.0;
   }
-  this->goAround(this->curves_.chains().pointAt(foot.chain, foot.parameter));
-  return this->curves_.chains().angleFrom(foot.curve, this->directions_.angleOf(foot.around));
+  return this->curves_.chains().angleFrom(
+    foot.curve, this->fanAt(foot.chain, foot.parameter).angleFromCurve(foot.angleInFan));
 }
 
 }

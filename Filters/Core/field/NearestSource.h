@@ -3,11 +3,11 @@
 #define geodesic_NearestSource_h
 
 #include "field/IncomingSegment.h"
-#include "source/CurveSectors.h"
 #include "source/CurvesOnPatch.h"
-#include "source/DirectionsAround.h"
+#include "source/FanAround.h"
 
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -34,18 +34,18 @@ struct Foot
     None,
     /// At a right angle to a segment.
     AcrossSegment,
-    /// From a point of the curve, at the angle `around`.
+    /// From a point of the curve, at the angle `angleInFan`.
     AroundPoint
   };
   Direction direction = Direction::None;
-  /// Around the point, not scaled (DirectionsAround::around()).
-  double around = 0.0;
+  /// Around the point, not scaled (FanAround::angleOf()).
+  double angleInFan = 0.0;
 
   bool isKnown() const { return this->curve != NoId; }
 };
 
 /// Where on the source a path begins: on a side of a curve, or at a curve's point, where the start
-/// is the path's own angle (Foot::around). While ranks ask each other, the origin may also be a
+/// is the path's own angle (Foot::angleInFan). While ranks ask each other, the origin may also be a
 /// vertex that another rank counts, and is open.
 struct PathOrigin
 {
@@ -132,13 +132,11 @@ private:
   bool isFromCurve(const IncomingSegment& piece) const;
   PathOrigin originOf(const IncomingSegment& piece);
   PathOrigin atSource(const IncomingSegment& piece);
-  PathOrigin inSector(const IncomingSegment& piece);
+  PathOrigin inFanAt(Id chain, double parameter, const IncomingSegment& piece);
   PathOrigin atPoint(const SideOfCurve& side) const;
-  void goAround(Id point);
+  const FanAround& fanAt(Id chain, double parameter);
   PathOrigin ofVertex(Id globalId) const;
   const VertexOnCurve* onCurveAt(Id globalId) const;
-  void goToVertex(Id vertex);
-  void goToPoint(Id point);
   Foot footOf(const PathOrigin& path) const;
 
   const DistanceField& field_;
@@ -149,12 +147,9 @@ private:
   std::vector<PathOrigin> origins_;
   /// Those of vertices that other ranks count, by their global ids; none in one process.
   std::unordered_map<Id, PathOrigin> elsewhere_;
-  /// Around the curve's point that was asked for last, and its vertex; NoId if it is at none.
-  CurveSectors sectors_;
-  Id sectorsVertex_ = NoId;
-  /// Around the point that was asked for last, and its number among the chains' points.
-  DirectionsAround directions_;
-  Id directionsPoint_ = NoId;
+  /// Around the curve's point that was asked for last, and its number among the chains' points.
+  std::optional<FanAround> fan_;
+  Id fanPoint_ = NoId;
 };
 
 }

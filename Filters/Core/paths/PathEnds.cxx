@@ -3,8 +3,7 @@
 
 #include "Tolerance.h"
 #include "Trigonometry.h"
-#include "source/CurveSectors.h"
-#include "source/DirectionsAround.h"
+#include "source/FanAround.h"
 #include "source/NearVertex.h"
 
 #include <algorithm>
@@ -50,18 +49,15 @@ Vec2 directionAround(const TriangleMesh& mesh, Id corner, const Barycentric& poi
   const Barycentric& from)
 {
   const SurfacePoint vertex = SurfacePoint::atVertex(mesh.origin(corner));
-  DirectionsAround around(mesh);
-  around.assign(vertex, {});
+  const FanAround fan(mesh, { vertex, {} });
   const Vec2 p = fromCorner(mesh, corner, point);
   const Vec2 q = fromCorner(mesh, otherCorner, from);
-  double turn = around.around(otherCorner, q) - around.around(corner, p);
-  const double total = totalAngle(mesh, vertex.id);
-  turn -= total < Infinity ? total * std::floor(turn / total + 0.5) : 0.0;
+  const double turn = fan.turn(fan.angleOf(corner, p), fan.angleOf(otherCorner, q));
   if (!(std::abs(turn) < Pi))
   {
     return { -p.x, -p.y };
   }
-  const bool isMirrored = around.isMirrored(TriangleMesh::faceOf(corner));
+  const bool isMirrored = fan.isMirrored(TriangleMesh::faceOf(corner));
   return norm(q) * unitVector(polarAngle(p) + (isMirrored ? -turn : turn)) - p;
 }
 
@@ -225,21 +221,18 @@ PathEnd PathEnds::onSegment(
 PathEnd PathEnds::atPoint(const LastPiece& piece, Id number) const
 {
   const CurveChains::Point at = this->onPatch_.chains().pointWith(number);
-  const PointWithEnds around = this->onPatch_.around(number);
+  const PointOfSource place = this->onPatch_.placeOf(at);
   const double parameter = this->onPatch_.chains().parameters(at.chain)[at.i];
   if (!(dot(piece.direction, piece.direction) > 0.0) ||
-    !contains(this->mesh(), piece.face, around.point))
+    !contains(this->mesh(), piece.face, place.point))
   {
     return this->endAt(at.chain, parameter, 0.0);
   }
-  CurveSectors sectors(this->mesh());
-  sectors.assign(around.point, around.ends, at.chain, parameter);
+  const FanAround fan(this->mesh(), place);
   const Id frame = TriangleMesh::halfedgeOf(piece.face, 0);
-  const SideOfCurve end = sectors.of(frame, piece.direction);
-  DirectionsAround directions(this->mesh());
-  directions.assign(around.point, around.ends);
+  const SideOfCurve end = fan.sideOf(frame, piece.direction);
   return this->endAt(
-    end.curve, end.parameter, directions.angleOf(directions.around(frame, piece.direction)));
+    end.curve, end.parameter, fan.angleFromCurve(fan.angleOf(frame, piece.direction)));
 }
 
 // 0 is the angle of a path without a direction.

@@ -3,6 +3,7 @@
 
 #include "Tolerance.h"
 #include "Trigonometry.h"
+#include "source/FanAround.h"
 
 #include <algorithm>
 #include <queue>
@@ -106,12 +107,10 @@ std::vector<EdgeAngle> leastAnglesAround(
         continue;
       }
       entered.push_back({ s, nearest.angle });
-      const bool isOutgoing = mesh.origin(s) == vertex;
-      const Id corner = isOutgoing ? s : TriangleMesh::nextInFace(s);
-      const Id across = isOutgoing ? TriangleMesh::previousInFace(s) : corner;
-      if (!hasShortEdge(mesh, corner))
+      const EnteredCorner to(mesh, vertex, s);
+      if (!hasShortEdge(mesh, to.corner))
       {
-        queue.push({ across, nearest.angle + mesh.cornerAngle(corner) });
+        queue.push({ to.onward, nearest.angle + mesh.cornerAngle(to.corner) });
       }
     }
   }

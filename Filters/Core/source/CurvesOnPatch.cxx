@@ -2,7 +2,6 @@
 #include "source/CurvesOnPatch.h"
 
 #include "Tolerance.h"
-#include "source/DirectionsAround.h"
 
 #include <algorithm>
 #include <tuple>
@@ -122,21 +121,6 @@ void addEnd(const TriangleMesh& mesh, const CurveChains& chains, const CurveChai
   }
 }
 
-/// A vertex among the curve's points at the place of point i; NoId where there is none.
-Id vertexAtPlaceOf(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i)
-{
-  Id vertex = NoId;
-  for (const bool isForward : { true, false })
-  {
-    for (const std::size_t point : pointsAtOnePlace(mesh, curve, i, isForward))
-    {
-      const SurfacePoint& p = curve.points[point];
-      vertex = std::min(vertex, p.kind == SurfacePoint::Kind::Vertex ? p.id : NoId);
-    }
-  }
-  return vertex;
-}
-
 } // anonymous namespace
 
 CurvesOnPatch::CurvesOnPatch(const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves)
@@ -173,39 +157,35 @@ std::vector<SegmentEnd> CurvesOnPatch::endsAt(const CurveChains::Point& at) cons
   return ends;
 }
 
-std::vector<SegmentEnd> CurvesOnPatch::endsAround(const CurveChains::Point& at) const
+std::vector<SegmentEnd> CurvesOnPatch::endsAtVertex(Id vertex) const
+{
+  return this->ofAllCurvesAt(
+    vertex, [this](const CurveChains::Point& at) { return this->endsAt(at); });
+}
+
+// Those of the last points at the place in both directions.
+std::vector<SegmentEnd> CurvesOnPatch::endsAtPlaceOf(const CurveChains::Point& at) const
 {
   std::vector<SegmentEnd> ends;
+  const SourceCurve& curve = this->chains_.curves()[at.chain];
   for (const bool isForward : { true, false })
   {
-    const SourceCurve& curve = this->chains_.curves()[at.chain];
     const std::size_t last = pointsAtOnePlace(this->mesh(), curve, at.i, isForward).back();
     addEnd(this->mesh(), this->chains_, { at.chain, last }, isForward, ends);
   }
   return ends;
 }
 
-bool CurvesOnPatch::isBesideVertex(const CurveChains::Point& at) const
-{
-  const SourceCurve& curve = this->chains_.curves()[at.chain];
-  const auto leadsToVertex = [&](const Step& step)
-  {
-    return step.segment != None && curve.points[step.to].kind == SurfacePoint::Kind::Vertex &&
-      !hasLength(this->mesh(), curve, step.segment);
-  };
-  return leadsToVertex(stepFrom(curve, at.i, true)) || leadsToVertex(stepFrom(curve, at.i, false));
-}
-
-// Several points of a curve may be at one place: their ends are the same.
-std::vector<SegmentEnd> CurvesOnPatch::endsOf(Id vertex, bool isAround) const
+// Several points of a curve may be at one vertex: their ends are the same.
+template <typename EndsAt>
+std::vector<SegmentEnd> CurvesOnPatch::ofAllCurvesAt(Id vertex, const EndsAt& endsAt) const
 {
   std::vector<SegmentEnd> ends;
   const auto range =
     std::equal_range(this->vertices_.begin(), this->vertices_.end(), VertexOnCurve{ vertex });
   for (auto on = range.first; on != range.second; ++on)
   {
-    const CurveChains::Point at = { on->curve, on->i };
-    const std::vector<SegmentEnd> added = isAround ? this->endsAround(at) : this->endsAt(at);
+    const std::vector<SegmentEnd> added = endsAt(CurveChains::Point{ on->curve, on->i });
     ends.insert(ends.end(), added.begin(), added.end());
   }
   const auto isLess = [](const SegmentEnd& a, const SegmentEnd& b)
@@ -219,16 +199,32 @@ std::vector<SegmentEnd> CurvesOnPatch::endsOf(Id vertex, bool isAround) const
   return ends;
 }
 
-PointWithEnds CurvesOnPatch::around(Id point) const
+const VertexOnCurve* CurvesOnPatch::vertexAtPlaceOf(const CurveChains::Point& at) const
 {
-  const CurveChains::Point at = this->chains_.pointWith(point);
   const SourceCurve& curve = this->chains_.curves()[at.chain];
-  const Id vertex = vertexAtPlaceOf(this->mesh(), curve, at.i);
-  if (vertex != NoId)
+  const auto vertexOf = [&curve](std::size_t i)
+  { return curve.points[i].kind == SurfacePoint::Kind::Vertex ? curve.points[i].id : NoId; };
+  Id vertex = vertexOf(at.i);
+  for (const bool isForward : { true, false })
   {
-    return { SurfacePoint::atVertex(vertex), this->endsAround(vertex) };
+    for (const std::size_t i : pointsAtOnePlace(this->mesh(), curve, at.i, isForward))
+    {
+      vertex = vertexOf(at.i) != NoId ? vertex : std::min(vertex, vertexOf(i));
+    }
   }
-  return { curve.points[at.i], this->endsAround(at) };
+  return vertex != NoId ? this->find(vertex) : nullptr;
+}
+
+PointOfSource CurvesOnPatch::placeOf(const CurveChains::Point& at) const
+{
+  if (const VertexOnCurve* on = this->vertexAtPlaceOf(at))
+  {
+    const auto endsAtPlace = [this](const CurveChains::Point& p) { return this->endsAtPlaceOf(p); };
+    return { SurfacePoint::atVertex(on->vertex), this->ofAllCurvesAt(on->vertex, endsAtPlace),
+      on->curve, on->parameter };
+  }
+  return { this->chains_.curves()[at.chain].points[at.i], this->endsAtPlaceOf(at), at.chain,
+    this->chains_.parameters(at.chain)[at.i] };
 }
 
 SourceFrame CurvesOnPatch::frameOf(Id number) const
@@ -239,11 +235,7 @@ SourceFrame CurvesOnPatch::frameOf(Id number) const
   SourceFrame frame;
   if (part.begin == part.end)
   {
-    const double parameter = this->chains_.parameters(part.chain)[part.begin];
-    const PointWithEnds at = this->around(this->chains_.pointAt(part.chain, parameter));
-    DirectionsAround directions(mesh);
-    directions.assign(at.point, at.ends);
-    const DirectionsAround::Axis axis = directions.axis();
+    const FanAround::Axis axis = FanAround(mesh, this->placeOf({ part.chain, part.begin })).axis();
     frame.x = inSpace(mesh, axis.halfedge, { axis.isAgainst ? -1.0 : 1.0, 0.0 });
     frame.y = inSpace(mesh, axis.halfedge, { 0.0, 1.0 });
   }

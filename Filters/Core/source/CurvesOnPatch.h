@@ -4,6 +4,7 @@
 
 #include "mesh/ReplicatedPatch.h"
 #include "source/CurveChains.h"
+#include "source/FanAround.h"
 
 #include <vector>
 
@@ -17,13 +18,6 @@ struct SourceFrame
   Vec3 x = {};
   Vec3 y = {};
   Vec3 normal = {};
-};
-
-/// A point of a curve and the ends of the segments around it.
-struct PointWithEnds
-{
-  SurfacePoint point;
-  std::vector<SegmentEnd> ends;
 };
 
 /// A mesh vertex on a curve: the chain's number, the number of its point, and the point's
@@ -55,27 +49,27 @@ public:
   const VertexOnCurve* find(Id vertex) const;
 
   /// The ends of the segments that meet in a point of a chain: two inside the chain, one at its
-  /// ends, none if the chain is a point. A segment without length, between places that differ by
+  /// ends, none if the chain is a point. A segment without length, between points that differ by
   /// rounding, counts only if the chain continues from it across edges.
   std::vector<SegmentEnd> endsAt(const CurveChains::Point& at) const;
-  /// The same of all points at the place of the point, which segments without length join.
-  std::vector<SegmentEnd> endsAround(const CurveChains::Point& at) const;
-  /// The same of all curves that contain a vertex.
-  std::vector<SegmentEnd> endsAt(Id vertex) const { return this->endsOf(vertex, false); }
-  std::vector<SegmentEnd> endsAround(Id vertex) const { return this->endsOf(vertex, true); }
-  /// Whether a segment without length leads from a chain's point to a vertex. The segments on both
-  /// sides then bound the vertex's wedge, not the point's.
-  bool isBesideVertex(const CurveChains::Point& at) const;
+  /// The ends of all segments that meet in a vertex, of all curves.
+  std::vector<SegmentEnd> endsAtVertex(Id vertex) const;
 
-  /// A point of a chain (CurveChains::pointAt()), at a vertex of the chain at its place if there is
-  /// one, and the ends around it: of all curves at a vertex, else of this chain.
-  PointWithEnds around(Id point) const;
+  /// The vertex at the place of a chain's point: the point itself, or a vertex of the chain to
+  /// which segments without length lead. All segments at the place then bound the wedge of the
+  /// vertex. Null if there is no vertex.
+  const VertexOnCurve* vertexAtPlaceOf(const CurveChains::Point& at) const;
+  /// A chain's point, or the vertex at its place, with the ends of all segments there: of all
+  /// curves at a vertex, else of this chain.
+  PointOfSource placeOf(const CurveChains::Point& at) const;
 
   /// The frame of a single point, or of a curve at its first segment: NearestSource::frameOf().
   SourceFrame frameOf(Id curve) const;
 
 private:
-  std::vector<SegmentEnd> endsOf(Id vertex, bool isAround) const;
+  std::vector<SegmentEnd> endsAtPlaceOf(const CurveChains::Point& at) const;
+  template <typename EndsAt>
+  std::vector<SegmentEnd> ofAllCurvesAt(Id vertex, const EndsAt& endsAt) const;
 
   ReplicatedPatch patch_;
   CurveChains chains_;

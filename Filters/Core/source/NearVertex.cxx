@@ -39,16 +39,4 @@ Vec2 fromCorner(const TriangleMesh& mesh, Id corner, const Barycentric& point)
   return { point[(k + 1) % 3] * mesh.length(corner) + ofSecond * second.x, ofSecond * second.y };
 }
 
-double totalAngle(const TriangleMesh& mesh, Id vertex)
-{
-  double total = 0.0;
-  for (const Id corner : mesh.cornersAt(vertex))
-  {
-    const bool isAtBoundary =
-      mesh.isBoundary(corner) || mesh.isBoundary(TriangleMesh::previousInFace(corner));
-    total += isAtBoundary ? Infinity : mesh.cornerAngle(corner);
-  }
-  return total;
-}
-
 }

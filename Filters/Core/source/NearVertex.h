@@ -30,9 +30,6 @@ NearVertex nearVertexAt(const TriangleMesh& mesh, Id corner, const Barycentric& 
 /// the corner it has relative precision.
 Vec2 fromCorner(const TriangleMesh& mesh, Id corner, const Barycentric& point);
 
-/// The total angle of the faces around a vertex, infinite on the boundary.
-double totalAngle(const TriangleMesh& mesh, Id vertex);
-
 }
 
 #endif

@@ -59,6 +59,19 @@ bool isOn(const Barycentric& point, Id halfedge)
   return point[(TriangleMesh::indexInFace(halfedge) + 2) % 3] == 0.0;
 }
 
+/// The total angle of the faces around a vertex, infinite on the boundary.
+double totalAngle(const TriangleMesh& mesh, Id vertex)
+{
+  double total = 0.0;
+  for (const Id corner : mesh.cornersAt(vertex))
+  {
+    const bool isAtBoundary =
+      mesh.isBoundary(corner) || mesh.isBoundary(TriangleMesh::previousInFace(corner));
+    total += isAtBoundary ? Infinity : mesh.cornerAngle(corner);
+  }
+  return total;
+}
+
 /// Adds the circular windows of a point through the halfedges of one face.
 struct PointEmitter
 {
@@ -129,17 +142,19 @@ struct PointEmitter
         w.sourceX = length - w.sourceX;
         frame = frame.mirrored();
       }
-      const double width = this->mesh.cornerAngle(
-        this->mesh.origin(into) == near.vertex ? into : TriangleMesh::nextInFace(into));
-      halfedge = this->passFaceAround(near, into, w, { width, mostTurn - turn, hasShadow }, frame);
+      const EnteredCorner behind(this->mesh, near.vertex, into);
+      const double width = this->mesh.cornerAngle(behind.corner);
+      this->passFaceAround(near, { into, w }, { width, mostTurn - turn, hasShadow }, frame);
+      halfedge = behind.onward;
       turn += width;
     }
   }
 
-  // Windows at an edge of a near vertex, for points of the face behind it.
+  // Windows at an edge of a near vertex, for points of the face behind it: what leaves that face
+  // has windows of its own.
   void endAt(Id halfedge, Window w, const WindowFrame& frame)
   {
-    w.facesCrossed = MaximumFacesCrossed;
+    w.endHere();
     this->addBySector({ halfedge, w }, frame);
   }
 
@@ -153,13 +168,15 @@ struct PointEmitter
   };
 
   // Sends rays through the edge opposite the vertex; where all of them pass, also to that edge's
-  // far end. Returns the other edge at the vertex, and replaces the frame by that behind it.
-  Id passFaceAround(
-    const NearVertex& near, Id into, const Window& w, const Turn& turn, WindowFrame& frame)
+  // far end. Replaces the frame by the one behind the other edge at the vertex.
+  void passFaceAround(
+    const NearVertex& near, const LeavingWindow& entering, const Turn& turn, WindowFrame& frame)
   {
+    const Id into = entering.halfedge;
+    const Window& w = entering.window;
     const UnfoldedFace face = unfold(this->mesh, into);
     const bool isAtOrigin = this->mesh.origin(into) == near.vertex;
-    this->reachApex(near, { into, w }, frame, turn);
+    this->reachApex(near, entering, frame, turn);
     double passed = 1.0; // of the opposite edge
     if (turn.most < turn.width)
     {
@@ -169,18 +186,16 @@ struct PointEmitter
       // An overlap of a few roundings, not a gap.
       passed = std::min(1.0, before / (before + behind) + tolerance::LeastWidth);
     }
-    const Id left = TriangleMesh::previousInFace(into);
-    const Id right = TriangleMesh::nextInFace(into);
     const LeavingWindow leaving = isAtOrigin
-      ? LeavingWindow{ right,
+      ? LeavingWindow{ TriangleMesh::nextInFace(into),
           face.throughRight(w, (1.0 - passed) * face.rightLength, face.rightLength) }
-      : LeavingWindow{ left, face.throughLeft(w, 0.0, passed * face.leftLength) };
+      : LeavingWindow{ TriangleMesh::previousInFace(into),
+          face.throughLeft(w, 0.0, passed * face.leftLength) };
     if (!this->mesh.isBoundary(leaving.halfedge))
     {
       this->addBySector(leaving, frame.turnedBy(isAtOrigin ? face.rightAxis : face.leftAxis));
     }
     frame = frame.turnedBy(isAtOrigin ? face.leftAxis : face.rightAxis);
-    return isAtOrigin ? left : right;
   }
 
   // In the shadow of the near vertex the way leads by the vertex, which tells so too late.
@@ -290,7 +305,7 @@ struct PointEmitter
   {
     const Id behind = this->mesh.acrossOriented(halfedge);
     return -point.y <= tolerance::PlaceRounding * this->mesh.length(halfedge) && behind != NoId &&
-      this->from.sectors.haveFace(TriangleMesh::faceOf(behind));
+      this->from.fan.hasFace(TriangleMesh::faceOf(behind));
   }
 
   // Splits a window where its rays begin to belong to another curve, or to the other side of a
@@ -299,7 +314,7 @@ struct PointEmitter
   {
     const Window& w = leaving.window;
     std::vector<double> cuts = { w.begin };
-    for (const Vec2& change : this->from.sectors.changesIn(frame.leftThrough))
+    for (const Vec2& change : this->from.fan.sideChangesIn(frame.leftThrough))
     {
       const Vec2 u = frame.fromHalfedge(change);
       const double x = u.y > 0.0 ? w.sourceX + w.sourceDepth * u.x / u.y : w.begin;
@@ -323,13 +338,12 @@ struct PointEmitter
   void setOrigin(Window& window, const WindowFrame& frame, Vec2 ray) const
   {
     const Vec2 direction = frame.toHalfedge(ray);
-    const SideOfCurve at = this->from.sectors.of(frame.leftThrough, direction);
-    const bool isFaceMirrored =
-      this->from.directions.isMirrored(TriangleMesh::faceOf(frame.leftThrough));
+    const SideOfCurve at = this->from.fan.sideOf(frame.leftThrough, direction);
+    const bool isFaceMirrored = this->from.fan.isMirrored(TriangleMesh::faceOf(frame.leftThrough));
     window.origin = RayOrigin::pointSide(this->from.chains.pointAt(at.curve, at.parameter),
       at.isRight, isFaceMirrored != frame.isMirrored);
-    window.start = RayStart::atAngle(this->from.directions.around(frame.leftThrough, direction) -
-      angleAround(window.origin, {}, ray));
+    window.start = RayStart::atAngle(
+      this->from.fan.angleOf(frame.leftThrough, direction) - angleAround(window.origin, {}, ray));
   }
 };
 
@@ -347,7 +361,7 @@ void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source,
     {
       const Id other = TriangleMesh::previousInFace(corner);
       const double turn = polarAngle(fromCorner(mesh, corner, source.a));
-      const bool isMirrored = from.directions.isMirrored(source.face);
+      const bool isMirrored = from.fan.isMirrored(source.face);
       if (!isOn(source.a, corner))
       {
         emitter.sendAround(

@@ -3,21 +3,20 @@
 #define geodesic_PointWindows_h
 
 #include "source/CurveChains.h"
-#include "source/CurveSectors.h"
 #include "source/CurveWedge.h"
-#include "source/DirectionsAround.h"
+#include "source/FanAround.h"
 #include "source/SourceWindows.h"
 
 namespace geodesic
 {
 
-/// A point of a source, and what it tells of directions.
+/// A point of a source: the wedge into which it emits, and the fan that tells the side and the
+/// angle of each ray.
 struct EmittingPoint
 {
   const CurveChains& chains;
   const CurveWedge& wedge;
-  const CurveSectors& sectors;
-  const DirectionsAround& directions;
+  const FanAround& fan;
 };
 
 /// Adds the circular windows of a source's point through the halfedges of one face that contains

@@ -55,8 +55,6 @@ public:
     : mesh_(mesh)
     , curves_(ReplicatedPatch(mesh), curves)
     , job_(job)
-    , sectors_(mesh)
-    , directions_(mesh)
   {
     for (const SourceCurve& curve : this->chains().curves())
     {
@@ -120,14 +118,17 @@ private:
       const bool straight =
         curve.isCut[i] && p.kind == SurfacePoint::Kind::Edge && this->mesh_.isInner(p.id);
       const CurveChains::Point at = { chain, i };
-      if (straight || this->curves_.isBesideVertex(at))
+      if (p.kind == SurfacePoint::Kind::Vertex)
+      {
+        continue; // see emitFromVertices()
+      }
+      if (straight || this->curves_.vertexAtPlaceOf(at) != nullptr)
       {
         this->nextPoint();
       }
-      else if (p.kind != SurfacePoint::Kind::Vertex)
+      else
       {
-        this->emitFromPoint(p, this->curves_.endsAt(at), this->curves_.endsAround(at), chain,
-          this->chains().parameters(chain)[i]);
+        this->emitFromPoint(at, this->curves_.endsAt(at));
       }
     }
   }
@@ -140,27 +141,26 @@ private:
       if (&v == this->curves_.find(v.vertex))
       {
         this->result_.vertices.push_back(v.vertex);
-        this->emitFromPoint(SurfacePoint::atVertex(v.vertex), this->curves_.endsAt(v.vertex),
-          this->curves_.endsAround(v.vertex), v.curve, v.parameter);
+        this->emitFromPoint({ v.curve, v.i }, this->curves_.endsAtVertex(v.vertex));
       }
     }
   }
 
-  void emitFromPoint(const SurfacePoint& p, const std::vector<SegmentEnd>& ends,
-    const std::vector<SegmentEnd>& endsAround, Id curve, double parameter)
+  /// \param ends of the segments that bound the point's wedge.
+  void emitFromPoint(const CurveChains::Point& at, const std::vector<SegmentEnd>& ends)
   {
     this->nextPoint();
-    const CurveWedge wedge = wedgeAround(this->mesh_, p, ends);
-    this->sectors_.assign(p, endsAround, curve, parameter);
-    this->directions_.assign(p, endsAround);
-    const EmittingPoint from = { this->chains(), wedge, this->sectors_, this->directions_ };
-    forEachFace(this->mesh_, p,
+    const PointOfSource place = this->curves_.placeOf(at);
+    const CurveWedge wedge = wedgeAround(this->mesh_, place.point, ends);
+    const FanAround fan(this->mesh_, place);
+    const EmittingPoint from = { this->chains(), wedge, fan };
+    forEachFace(this->mesh_, place.point,
       [&](Id face)
       {
         this->step();
-        const Barycentric b = barycentric(this->mesh_, p, face);
-        const SourceInFace source = { face, b, b, curve, parameter, parameter };
-        if (p.kind != SurfacePoint::Kind::Vertex)
+        const Barycentric b = barycentric(this->mesh_, place.point, face);
+        const SourceInFace source = { face, b, b, place.curve, place.parameter, place.parameter };
+        if (place.point.kind != SurfacePoint::Kind::Vertex)
         {
           this->result_.inFaces.push_back(source);
           this->findNearVertices(face, b);
@@ -187,8 +187,6 @@ private:
   std::size_t numberOfPoints_ = 0;
   std::size_t pointsDone_ = 0;
   std::size_t steps_ = 0;
-  CurveSectors sectors_;
-  DirectionsAround directions_;
   SourceWindows result_;
 };
 

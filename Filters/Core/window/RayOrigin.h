@@ -102,7 +102,7 @@ public:
   RayStart() = default;
   /// On a side of a curve: the parameter, a length along the curve from its beginning.
   static RayStart atParameter(double parameter) { return RayStart(parameter); }
-  /// At a point of a curve: an angle around the point (DirectionsAround::around()).
+  /// At a point of a curve: an angle around the point (FanAround::angleOf()).
   static RayStart atAngle(double angle) { return RayStart(angle); }
 
   double parameter() const { return this->number_; }

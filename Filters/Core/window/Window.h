@@ -79,6 +79,9 @@ struct Window
   /// else unused.
   RayStart start = {};
 
+  /// Lets no ray go on behind the halfedge's face: the window only tells distances in this face.
+  void endHere() { this->facesCrossed = MaximumFacesCrossed; }
+
   bool isLinear() const { return (this->kind & Kind::Linear) != 0; } // one bit: asked very often
   double width() const { return this->end - this->begin; }
   TwoDoubles ends() const { return { this->begin, this->end }; }

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sides of directions around a point of the source, compared with angles measured around it.
+#include "EngineSupport.h"
+
+#include "field/NearestSource.h"
+#include "source/FanAround.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace geodesictest;
+using geodesic::FanAround;
+using geodesic::Id;
+using geodesic::SegmentEnd;
+using geodesic::SideOfCurve;
+using geodesic::SurfacePoint;
+using geodesic::TriangleMesh;
+
+namespace
+{
+
+constexpr Index Sectors = 6;
+
+/// Faces around vertex 0 that all have the same angle there, and directions by the angle around it.
+class Around
+{
+public:
+  explicit Around(double angleOfAFace)
+    : angle(angleOfAFace)
+    , mesh(engineMesh(fan(Sectors, angleOfAFace, 1)))
+  {
+    Id corner = *this->mesh.cornersAt(0).begin();
+    for (Index i = 0; i < Sectors; ++i)
+    {
+      this->corners.push_back(corner);
+      corner = this->mesh.acrossOriented(TriangleMesh::previousInFace(corner));
+    }
+  }
+
+  double total() const { return this->angle * Sectors; }
+  Id cornerOf(double around) const
+  {
+    return this->corners[static_cast<std::size_t>(around / this->angle)];
+  }
+  geodesic::Vec2 direction(double around) const
+  {
+    const double inFace = std::fmod(around, this->angle);
+    return { std::cos(inFace), std::sin(inFace) };
+  }
+  /// A segment that leaves the vertex.
+  SegmentEnd end(double around, Id curve) const
+  {
+    const Id corner = this->cornerOf(around);
+    const geodesic::Barycentric to =
+      geodesic::fromHalfedgeFrame(this->mesh, corner, 0.3 * this->direction(around));
+    const Id face = TriangleMesh::faceOf(corner);
+    return { SurfacePoint::atVertex(0), fromBarycentric(this->mesh, face, to), face, curve, 0.0,
+      true };
+  }
+  /// The angles around the vertex at which the origin changes.
+  std::vector<double> changes(const FanAround& sides) const
+  {
+    std::vector<double> changes;
+    for (std::size_t i = 0; i < Sectors; ++i)
+    {
+      for (const geodesic::Vec2& d : sides.sideChangesIn(this->corners[i]))
+      {
+        changes.push_back(static_cast<double>(i) * this->angle + std::atan2(d.y, d.x));
+      }
+    }
+    std::sort(changes.begin(), changes.end());
+    return changes;
+  }
+
+  const double angle;
+  const TriangleMesh mesh;
+  /// Counterclockwise, as the halfedges that begin at the vertex.
+  std::vector<Id> corners;
+};
+
+}
+
+// At the three segments and in the middle between consecutive ones, even across the first face.
+TEST(FanAround, OfThreeCurvesAtAVertexEachHasTheDirectionsNearestByAngle)
+{
+  Random random(1);
+  for (int i = 0; i < 100; ++i)
+  {
+    SCOPED_TRACE(i);
+    const Around around(random.uniform(0.5, 1.3));
+    std::vector<double> at;
+    std::vector<SegmentEnd> ends;
+    for (Id curve = 0; curve < 3; ++curve)
+    {
+      at.push_back(random.uniform(0.0, around.total()));
+      ends.push_back(around.end(at.back(), curve));
+    }
+    const FanAround sides(around.mesh, { SurfacePoint::atVertex(0), ends, 0, 0.0 });
+
+    std::vector<double> expected = at;
+    std::sort(expected.begin(), expected.end());
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double next = k < 2 ? expected[k + 1] : expected[0] + around.total();
+      expected.push_back(std::fmod(0.5 * (expected[k] + next), around.total()));
+    }
+    std::sort(expected.begin(), expected.end());
+    const std::vector<double> changes = around.changes(sides);
+    ASSERT_EQ(changes.size(), expected.size());
+    for (std::size_t k = 0; k < expected.size(); ++k)
+    {
+      EXPECT_NEAR(changes[k], expected[k], 1e-12);
+    }
+
+    for (int k = 0; k < 20; ++k)
+    {
+      const double direction = random.uniform(0.0, around.total());
+      Id nearest = 0;
+      double least = around.total();
+      bool isLeft = false;
+      for (Id curve = 0; curve < 3; ++curve)
+      {
+        const double turn =
+          std::fmod(direction - at[curve] + around.total(), around.total()); // counterclockwise
+        const double away = std::min(turn, around.total() - turn);
+        if (away < least)
+        {
+          least = away;
+          nearest = curve;
+          isLeft = turn < around.total() - turn;
+        }
+      }
+      const SideOfCurve side =
+        sides.sideOf(around.cornerOf(direction), around.direction(direction));
+      EXPECT_EQ(side.curve, nearest);
+      EXPECT_EQ(side.isRight, !isLeft);
+    }
+  }
+}
+
+namespace
+{
+
+/// A disc in which one face has the opposite orientation, and a segment that leaves its centre.
+class TurnedFaceInDisc
+{
+public:
+  explicit TurnedFaceInDisc(Index turnedFace)
+    : turnedFace_(turnedFace)
+    , mesh_(engineMesh(withTurned(turnedFace)))
+  {
+  }
+
+  /// The corner of a face at the centre, by the number of faces behind the one that is turned.
+  Id corner(Index behindTurned) const
+  {
+    return this->mesh_.cornerAt(static_cast<Id>((this->turnedFace_ + behindTurned) % Sectors), 0);
+  }
+  /// With a segment in a face, at a fraction of the face's angle from the corner's halfedge.
+  FanAround sides(Index behindTurned, double fraction) const
+  {
+    const Id at = this->corner(behindTurned);
+    const Id face = TriangleMesh::faceOf(at);
+    const SurfacePoint to = fromBarycentric(
+      this->mesh_, face, geodesic::fromHalfedgeFrame(this->mesh_, at, 0.3 * direction(fraction)));
+    const SurfacePoint centre = SurfacePoint::atVertex(0);
+    return { this->mesh_,
+      { centre, { { centre, to, face, Left.curve, Left.parameter, true } }, Own.curve,
+        Own.parameter } };
+  }
+  static geodesic::Vec2 direction(double fraction)
+  {
+    return { std::cos(fraction * Angle), std::sin(fraction * Angle) };
+  }
+
+  static constexpr double Angle = geodesic::Pi / 3.0;
+  static constexpr SideOfCurve Own = { 7, false, 2.5 };
+  static constexpr SideOfCurve Left = { 3, false, 1.5 };
+  static constexpr SideOfCurve Right = { 3, true, 1.5 };
+
+private:
+  static PlainMesh withTurned(Index face)
+  {
+    PlainMesh plain = fan(Sectors, Angle, 1);
+    std::swap(plain.triangles[face][1], plain.triangles[face][2]);
+    return plain;
+  }
+
+  Index turnedFace_;
+  TriangleMesh mesh_;
+};
+
+}
+
+// Whichever face is the first in the mesh.
+TEST(FanAround, SidesEndAtFacesOfOppositeOrientation)
+{
+  using Disc = TurnedFaceInDisc;
+  for (Index turnedFace = 0; turnedFace < Sectors; ++turnedFace)
+  {
+    const Disc disc(turnedFace);
+    const FanAround sides = disc.sides(2, 0.5);
+    EXPECT_EQ(sides.sideOf(disc.corner(0), Disc::direction(0.5)), Disc::Own);
+    EXPECT_TRUE(sides.sideChangesIn(disc.corner(0)).empty());
+    EXPECT_EQ(sides.sideOf(disc.corner(1), Disc::direction(0.5)), Disc::Right);
+    for (Index behind = 3; behind < Sectors; ++behind)
+    {
+      EXPECT_EQ(sides.sideOf(disc.corner(behind), Disc::direction(0.5)), Disc::Left);
+    }
+  }
+}
+
+// Its left side lies counterclockwise from it, as this face is seen.
+TEST(FanAround, ASegmentInAFaceOfOppositeOrientationHasItsSidesThere)
+{
+  using Disc = TurnedFaceInDisc;
+  for (Index turnedFace = 0; turnedFace < Sectors; ++turnedFace)
+  {
+    const Disc disc(turnedFace);
+    const FanAround sides = disc.sides(0, 0.3);
+    EXPECT_EQ(sides.sideOf(disc.corner(0), Disc::direction(0.1)), Disc::Right);
+    EXPECT_EQ(sides.sideOf(disc.corner(0), Disc::direction(0.5)), Disc::Left);
+    EXPECT_EQ(sides.sideOf(disc.corner(1), Disc::direction(0.5)), Disc::Own);
+    EXPECT_EQ(sides.sideOf(disc.corner(5), Disc::direction(0.5)), Disc::Own);
+    const std::vector<geodesic::Vec2> changes = sides.sideChangesIn(disc.corner(0));
+    ASSERT_EQ(changes.size(), 1u);
+    EXPECT_NEAR(changes[0].x, Disc::direction(0.3).x, 1e-12);
+    EXPECT_NEAR(changes[0].y, Disc::direction(0.3).y, 1e-12);
+  }
+}
+
+namespace
+{
+
+/// The angle at which the shortest path to each vertex leaves a curve, and its side.
+class SolvedCurve
+{
+public:
+  SolvedCurve(
+    const PlainMesh& plain, const std::vector<SurfacePoint>& points, const std::vector<Id>& faces)
+    : mesh_(engineMesh(plain))
+    , curves_{ { points, faces, std::vector<std::uint8_t>(points.size(), 0) } }
+    , field_(geodesic::solve(mesh_, curves_, withAngles(), geodesic::KeepWindows::All))
+    , nearest_(field_, geodesic::ReplicatedPatch(mesh_), curves_)
+  {
+  }
+
+  double distance(Id vertex) const { return this->field_.vertexDistances()[vertex]; }
+  double angle(Id vertex) { return this->nearest_.angleOf(this->nearest_.atVertex(vertex)); }
+  bool isRight(Id vertex) const { return this->nearest_.atVertex(vertex).isRight; }
+
+private:
+  static geodesic::FrontOptions withAngles()
+  {
+    geodesic::FrontOptions options;
+    options.keepArrivals = true;
+    options.keepAngles = true;
+    return options;
+  }
+
+  TriangleMesh mesh_;
+  std::vector<geodesic::SourceCurve> curves_;
+  geodesic::DistanceField field_;
+  geodesic::NearestSource nearest_;
+};
+
+}
+
+// From a place on a spoke, nearer to the centre of a disc than rounding tells, outwards.
+TEST(FanAround, OfACurveThatEndsARoundingFromAVertexAnglesAreThoseInThePlane)
+{
+  const double angle = geodesic::Pi / 3.0;
+  const PlainMesh plain = fan(Sectors, angle, 1);
+  const TriangleMesh mesh = engineMesh(plain);
+  for (const bool isOutgoing : { true, false })
+  {
+    SCOPED_TRACE(isOutgoing);
+    const Id corner = *mesh.cornersAt(0).begin();
+    const Id spoke = isOutgoing ? corner : TriangleMesh::previousInFace(corner);
+    const Id face = TriangleMesh::faceOf(corner);
+    const double beside = 10.0 * std::numeric_limits<double>::epsilon();
+    SurfacePoint to = SurfacePoint::inFace(face, 0.0, 0.0);
+    (TriangleMesh::nextIndex(corner) == 1 ? to.u : to.v) = 0.2;
+    (TriangleMesh::previousIndex(corner) == 2 ? to.v : to.u) = 0.2;
+    SolvedCurve solved(
+      plain, { SurfacePoint::onEdge(spoke, isOutgoing ? beside : 1.0 - beside), to }, { face });
+    for (Id vertex = 1; vertex <= Sectors; ++vertex)
+    {
+      const geodesic::Vec3 p = mesh.point(vertex);
+      const geodesic::Vec3 q = geodesic::position(mesh, to);
+      const double expected =
+        std::remainder(std::atan2(p[1], p[0]) - std::atan2(q[1], q[0]), 2.0 * geodesic::Pi);
+      if (std::abs(expected) > 0.5 * geodesic::Pi + 0.1) // the path leaves the end at the centre
+      {
+        EXPECT_NEAR(solved.distance(vertex), 1.0, 1e-12);
+        EXPECT_NEAR(solved.angle(vertex), expected, 1e-9);
+        EXPECT_EQ(solved.isRight(vertex), expected < 0.0);
+      }
+    }
+  }
+}
+
+// A curve across an edge, with a point in a face a rounding before the edge and one on it.
+TEST(FanAround, OfACurveWithASegmentWithoutLengthAnglesAreThoseOfTheOthers)
+{
+  const PlainMesh plain = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 1, 0 }, { 0.5, -1, 0 } },
+    { { 0, 1, 2 }, { 1, 0, 3 } } };
+  const std::vector<SurfacePoint> points = { SurfacePoint::inFace(0, 0.3, 0.4),
+    SurfacePoint::inFace(0, 0.5, 1e-17), SurfacePoint::onEdge(0, 0.5),
+    SurfacePoint::inFace(1, 0.3, 0.4) };
+  SolvedCurve solved(plain, points, { 0, 0, 1 });
+  for (const Id vertex : { 0U, 1U })
+  {
+    EXPECT_NEAR(solved.distance(vertex), 0.5, 1e-12);
+    EXPECT_NEAR(solved.angle(vertex), vertex == 0 ? -0.5 * geodesic::Pi : 0.5 * geodesic::Pi, 1e-9);
+    EXPECT_EQ(solved.isRight(vertex), vertex == 0);
+  }
+}
