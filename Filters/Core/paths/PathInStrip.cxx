@@ -2,7 +2,7 @@
 #include "paths/PathInStrip.h"
 
 #include "Tolerance.h"
-#include "field/DistanceField.h"
+#include "field/NearestSource.h"
 #include "paths/PathInWindows.h"
 #include "source/SourceWindows.h"
 
@@ -156,19 +156,27 @@ std::optional<GatheredPath> pathInStrip(const MeshPartition& part, const Replica
   FrontOptions options;
   options.corridor = &corridor;
   options.job = job;
-  const DistanceField field =
-    solve(strip.mesh(), curvesOnStrip(strip, patch, curves), options, KeepWindows::All);
-  std::vector<SurfacePoint> points = pathInWindows(field, onPatch(strip, target));
-  const bool isLost = points.empty();
-  return GatheredPath{ target.number, isLost, strip, std::move(points), target.distance };
+  options.keepArrivals = true;
+  options.keepAngles = true;
+  const std::vector<SourceCurve> onStrip = curvesOnStrip(strip, patch, curves);
+  const DistanceField field = solve(strip.mesh(), onStrip, options, KeepWindows::All);
+  GatheredPath path = { target.number, false, strip, pathInWindows(field, onPatch(strip, target)),
+    target.distance, {} };
+  path.isLost = path.points.empty();
+  if (!path.isLost)
+  {
+    NearestSource nearest(field, ReplicatedPatch(strip.mesh()), onStrip);
+    const SurfacePoint& last = path.points[path.points.size() > 1 ? path.points.size() - 2 : 0];
+    path.end = endAt(nearest.of(incomingSegmentTo(field, last)), nearest, onStrip, target.distance);
+  }
+  return path;
 }
 
-PathToSource cleanedPath(const GatheredPath& path, const PathEnds& ends)
+PathToSource toSource(const GatheredPath& path)
 {
   const TriangleMesh& mesh = path.faces.mesh();
-  const auto addressOf = [&path](Id face) { return path.faces.ownerOf(face); };
-  const std::vector<SurfacePoint> points = cleanedPath(mesh, path.points, path.length);
-  return { mesh, points, addressOf, ends.of(mesh, points, addressOf) };
+  return { mesh, cleanedPath(mesh, path.points, path.length),
+    [&path](Id face) { return path.faces.ownerOf(face); }, path.end };
 }
 
 }

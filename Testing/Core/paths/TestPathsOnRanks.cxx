@@ -227,7 +227,6 @@ std::vector<FoundPath> pathsInStrips(const CutMesh& cut, const std::vector<Polyl
       geodesic::FrontOptions options;
       const geodesic::DistanceField field = geodesic::solve(rank.part, rank.sources, options);
       const std::vector<geodesic::SourceCurve> onPatch = numbered(rank.curvesOnPatch);
-      const geodesic::PathEnds ends(rank.patch, onPatch);
       for (std::size_t i = 0; i < targets.size(); ++i)
       {
         const auto& [point, distance] = targets[i];
@@ -250,7 +249,7 @@ std::vector<FoundPath> pathsInStrips(const CutMesh& cut, const std::vector<Polyl
         EXPECT_EQ(found.has_value(), face.rank == rank.exchange.rank());
         if (found)
         {
-          paths[i].take(geodesic::cleanedPath(*found, ends));
+          paths[i].take(geodesic::toSource(*found));
         }
       }
     });
