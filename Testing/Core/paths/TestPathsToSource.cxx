@@ -541,6 +541,38 @@ TEST(PathsToSource, ToTheCenterOfAHexagonLeaveItInTheirDirections)
   }
 }
 
+// Most paths cross several faces and end with a ray of the segment, the others with one of its
+// ends.
+TEST(PathsToSource, ToASegmentInThePlaneHaveItsArcLengthAndItsSide)
+{
+  const PlainMesh plain = regularGrid(8, 8);
+  const TriangleMesh mesh = engineMesh(plain);
+  const MeshPoint from = { 66, { 0.8, 0.1, 0.1 } };
+  const MeshPoint to = { 66, { 0.1, 0.2, 0.7 } };
+  Sources source;
+  source.segments = { { from.face, from.weights, to.weights } };
+  const Vec3 begin = position(plain, from);
+  const Vec3 along = geodesic::operator-(position(plain, to), begin);
+  const double length = geodesic::norm(along);
+  Random random(1);
+  const std::vector<MeshPoint> targets = randomPoints(plain, 300, random);
+  std::vector<geodesic::PathEnd> ends(targets.size());
+  geodesic::pathsToSource(geodesic::MeshPartition(mesh), geodesic::ReplicatedPatch(mesh),
+    engineCurves(mesh, source), enginePoints(mesh, targets), {},
+    [&](std::size_t target, const geodesic::PathToSource& path) { ends[target] = path.end; });
+  for (std::size_t i = 0; i < targets.size(); ++i)
+  {
+    const Vec3 way = geodesic::operator-(position(plain, targets[i]), begin);
+    const double arcLength = geodesic::dot(way, along) / length;
+    EXPECT_NEAR(ends[i].arcLength, std::clamp(arcLength, 0.0, length), 1e-12) << "target " << i;
+    if (arcLength > 1e-9 && arcLength < length - 1e-9)
+    {
+      const double side = along[0] * way[1] - along[1] * way[0];
+      EXPECT_EQ(ends[i].angle, side > 0.0 ? geodesic::RightAngle : -geodesic::RightAngle);
+    }
+  }
+}
+
 TEST(PathsToSource, AreAbortedByTheirWatcher)
 {
   const AnalyticCase c = []
