@@ -44,12 +44,6 @@ PathOrigin FootFinder::originOf(const IncomingSegment& piece)
     this->goToVertex(on->vertex);
     return this->inSector(piece);
   }
-  if (piece.source.face != NoId)
-  {
-    IncomingSegment besideVertex = piece;
-    besideVertex.ray = { longestHalfedge(this->field_.mesh(), piece.source.face) };
-    return this->atSource(besideVertex);
-  }
   return { origin };
 }
 

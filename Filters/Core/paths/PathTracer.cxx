@@ -345,12 +345,11 @@ private:
 
   void endAtVertex(Id vertex, Id face, const Barycentric& from)
   {
-    const SurfacePoint end = SurfacePoint::atVertex(vertex);
-    // If the vertex is not on the source, but beside it by less than numbers can tell.
-    IncomingSegment fromVertex = incomingSegmentTo(this->field, end);
-    fromVertex.kind = IncomingSegment::Kind::Corner;
-    fromVertex.origin = RayOrigin::vertex(this->surface.globalId(vertex));
-    this->endWith(fromVertex, face, barycentric(this->mesh, end, face), from);
+    IncomingSegment last;
+    last.kind = IncomingSegment::Kind::Corner;
+    last.origin = RayOrigin::vertex(this->surface.globalId(vertex));
+    const Barycentric end = barycentric(this->mesh, SurfacePoint::atVertex(vertex), face);
+    this->endWith(last, face, end, from);
   }
 
   // If a ray from the source has led here, its window knows the foot better than the last piece,

@@ -555,7 +555,9 @@ TEST(PathsToSource, ToASegmentInThePlaneHaveItsArcLengthAndItsSide)
   const Vec3 along = geodesic::operator-(position(plain, to), begin);
   const double length = geodesic::norm(along);
   Random random(1);
-  const std::vector<MeshPoint> targets = randomPoints(plain, 300, random);
+  std::vector<MeshPoint> targets = randomPoints(plain, 300, random);
+  targets.push_back(to);
+  targets.push_back(from);
   std::vector<geodesic::PathEnd> ends(targets.size());
   geodesic::pathsToSource(geodesic::MeshPartition(mesh), geodesic::ReplicatedPatch(mesh),
     engineCurves(mesh, source), enginePoints(mesh, targets), {},
@@ -564,10 +566,14 @@ TEST(PathsToSource, ToASegmentInThePlaneHaveItsArcLengthAndItsSide)
   {
     const Vec3 way = geodesic::operator-(position(plain, targets[i]), begin);
     const double arcLength = geodesic::dot(way, along) / length;
+    const double side = along[0] * way[1] - along[1] * way[0];
     EXPECT_NEAR(ends[i].arcLength, std::clamp(arcLength, 0.0, length), 1e-12) << "target " << i;
-    if (arcLength > 1e-9 && arcLength < length - 1e-9)
+    if (i >= 300)
     {
-      const double side = along[0] * way[1] - along[1] * way[0];
+      EXPECT_EQ(ends[i].angle, 0.0) << "on the segment";
+    }
+    else if (arcLength > 1e-9 && arcLength < length - 1e-9)
+    {
       EXPECT_EQ(ends[i].angle, side > 0.0 ? geodesic::RightAngle : -geodesic::RightAngle);
     }
   }
