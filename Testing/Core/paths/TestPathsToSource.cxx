@@ -478,11 +478,13 @@ TEST(PathsToSource, FromBothSidesOfASourceAlongAnEdgeEndWithTheAngleOfTheirSide)
     const double v = random.uniform(0.01, 0.3);
     targets.push_back({ random.below(2), { 1.0 - u - v, u, v } });
   }
+  targets.push_back({ 0, { 0.5, 0.5, 0.0 } });
   std::vector<geodesic::PathEnd> ends(targets.size());
   geodesic::pathsToSource(geodesic::MeshPartition(mesh), geodesic::ReplicatedPatch(mesh), curves,
     enginePoints(mesh, targets), {},
     [&](std::size_t target, const geodesic::PathToSource& path) { ends[target] = path.end; });
-  for (std::size_t i = 0; i < targets.size(); ++i)
+  EXPECT_EQ(ends.back().angle, 0.0) << "on the source";
+  for (std::size_t i = 0; i + 1 < targets.size(); ++i)
   {
     EXPECT_NEAR(ends[i].arcLength, geodesic::dot(position(plain, targets[i]), along), 1e-14);
     EXPECT_NEAR(
