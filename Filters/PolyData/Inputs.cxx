@@ -194,12 +194,15 @@ struct InputReader
     const TriangleMesh& mesh = patch.mesh();
     const JoinPoints join = joinByShortestPaths(mesh);
     // With several ranks the next patch numbers its faces in another way.
-    JoinedPaths ofThisPatch;
-    JoinedPaths& paths = isDistributed ? ofThisPatch : this->cache.joinedPaths();
-    paths.beginUse();
-    SourceCurves curves = putOntoSurface(
-      mesh, source.polylines, precision, paths.reusedBy(join), joining.part(patchMade, 1.0));
-    paths.endUse();
+    const JoinedPaths none;
+    JoinedPaths paths;
+    SourceCurves curves = putOntoSurface(mesh, source.polylines, precision,
+      paths.joinBy(join, isDistributed ? none : this->cache.joinedPaths()),
+      joining.part(patchMade, 1.0));
+    if (!isDistributed)
+    {
+      this->cache.joinedPaths() = std::move(paths);
+    }
     noteSource(surface, mesh, source, curves, this->plan.noteSourceBeyond, this->notes);
     if (this->plan.needsSides)
     {

@@ -223,7 +223,6 @@ std::vector<FoundPath> pathsInStrips(
     {
       const DistanceField field = geodesic::solve(rank.part, rank.sources, frontOf(scene));
       const std::vector<geodesic::SourceCurve> curves = numbered(rank.curvesOnPatch);
-      const geodesic::PathEnds ends(rank.patch, curves);
       for (std::size_t i = 0; i < scene.queries.size(); ++i)
       {
         const RankAddress face = rank.facesOnRanks[scene.queries[i].face];
@@ -246,7 +245,7 @@ std::vector<FoundPath> pathsInStrips(
         EXPECT_EQ(found.has_value(), isHere);
         if (found)
         {
-          paths[i].take(geodesic::cleanedPath(*found, ends));
+          paths[i].take(geodesic::toSource(*found));
         }
       }
     });
@@ -261,8 +260,9 @@ std::vector<PlainLine> linesOnRanks(const CutMesh& cut, const Scene& scene, bool
     [&](const RankOfRun& rank)
     {
       const TriangleMesh& mesh = rank.part.mesh();
-      const DistanceField field = solveForIsolines(
-        rank.part, rank.sources, scene.values, frontOf(scene), scene.droppingSolves);
+      const DistanceField field = scene.keepsAllWindows
+        ? solveKeeping(rank.part, rank.sources, frontOf(scene), rank.part.ownFaces())
+        : solveForIsolines(rank.part, rank.sources, scene.values, frontOf(scene));
       geodesic::Isolines isolines =
         drawIsolines(field, { scene.values, scene.chordTolerance, geodesic::Job() });
       if (leftOnly)

@@ -24,7 +24,7 @@ struct Scene
   /// Of isolines, ascending.
   std::vector<double> values;
   double chordTolerance = 0.0;
-  int droppingSolves = 3;
+  bool keepsAllWindows = false;
   /// Of the refinement.
   double tolerance = 0.0;
   std::uint64_t maximumFaces = 0;

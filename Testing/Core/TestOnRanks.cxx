@@ -230,10 +230,10 @@ public:
     }
   }
 
-  void compareLines(const CutMesh& cut, int droppingSolves) const
+  void compareLines(const CutMesh& cut, bool keepsAllWindows) const
   {
     Scene scene = this->scene_;
-    scene.droppingSolves = droppingSolves;
+    scene.keepsAllWindows = keepsAllWindows;
     const std::vector<PlainLine> lines = linesOnRanks(cut, scene, false);
     for (std::size_t value = 0; value < scene.values.size(); ++value)
     {
@@ -490,7 +490,7 @@ TEST_P(OnRanks, TheResultIsThatOfOneProcessHoweverTheSurfaceIsCut)
         comparison.compareField(cut);
         comparison.compareNearest(cut);
         comparison.comparePaths(cut);
-        comparison.compareLines(cut, cut.numberOfRanks == 3 ? 0 : 3);
+        comparison.compareLines(cut, cut.numberOfRanks == 3);
         if (cut.numberOfRanks == 3)
         {
           comparison.comparePathsInStrips(cut);

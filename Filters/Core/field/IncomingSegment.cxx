@@ -31,25 +31,6 @@ bool isZero(Vec2 v)
   return v.x == 0.0 && v.y == 0.0; // squares of tiny numbers are zero, too
 }
 
-/// The way from x on a halfedge to a point p of its face, of a path that crosses the halfedge along
-/// a ray.
-struct WayFrom
-{
-  /// Whether the path bends at x, as at a corner where a window ends, or begins there.
-  bool isBent;
-  /// The direction in which the path comes to p: that of the ray, unless the path bends or the ray
-  /// is far shorter than the way from x to p.
-  Vec2 direction;
-};
-
-/// \param longest edge of the face.
-WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest)
-{
-  const Vec2 d = p - Vec2{ x, 0.0 };
-  const bool isBent = bends(ray, d, longest);
-  return { isBent, isBent || norm(ray) < tolerance::NearEdge * norm(d) ? d : ray };
-}
-
 /// What the choice between ways to a point depends on.
 struct Choice
 {
@@ -139,7 +120,7 @@ public:
     this->best_.ray = { arrival.halfedge, false, arrival.x, way.direction };
     this->best_.origin = arrival.origin;
     this->best_.start = arrival.start;
-    this->best_.rayOfWindow = way.isBent ? arrival.direction : way.direction;
+    this->best_.rayOfWindow = way.ray;
     const Id corner = cornerCrossed(this->mesh_, arrival);
     if (way.isBent && corner != NoId)
     {
@@ -196,8 +177,7 @@ private:
   {
     const Window& w = *way.window;
     const Vec2 p = inHalfedgeFrame(this->mesh_, way.halfedge, this->inFace_);
-    const Vec2 throughWindow = w.directionTo(p, way.x);
-    const WayFrom from = wayFrom(way.x, p, throughWindow, this->faceSize_);
+    const WayFrom from = wayFrom(way.x, p, w.directionTo(p, way.x), this->faceSize_);
     // At an edge of three and more faces the path may have come through any of the others.
     const bool isUnsure = way.isBehind && !this->mesh_.isInner(way.halfedge);
     const double straight = w.isLinear() ? way.distance : way.distance - w.sigma;
@@ -207,14 +187,15 @@ private:
       this->best_.ray = way.isBehind ? acrossEdge(this->mesh_, ray) : ray;
       this->best_.origin = w.origin;
       this->best_.start = w.startOf({ way.x, 0.0 });
-      this->best_.rayOfWindow = from.isBent ? throughWindow : from.direction;
+      this->best_.rayOfWindow = from.ray;
     }
   }
 
   /// Makes a way the best one if it is better.
   bool improve(const Choice& way)
   {
-    if (!isBetter(way, this->chosen_, this->faceSize_))
+    const bool isKnown = way.distance < Infinity; // not a corner that a corridor has left out
+    if (!isKnown || !isBetter(way, this->chosen_, this->faceSize_))
     {
       return false;
     }
@@ -300,6 +281,14 @@ IncomingSegment lastPieceToVertex(const DistanceField& field, Id vertex)
 }
 
 } // anonymous namespace
+
+WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest)
+{
+  const Vec2 d = p - Vec2{ x, 0.0 };
+  const bool isBent = bends(ray, d, longest);
+  const bool isShort = norm(ray) < tolerance::NearEdge * norm(d);
+  return { isBent, isBent || isShort ? d : ray, !isBent && isShort ? d : ray };
+}
 
 // The smaller the angle between rays and halfedge, the larger is the rounding of the place where a
 // window ends.

@@ -47,6 +47,22 @@ struct IncomingSegment
 /// \throws Error where these were not kept.
 IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint& point);
 
+/// The way from x on a halfedge to a point p of its face, of a path that crosses the halfedge along
+/// a ray.
+struct WayFrom
+{
+  /// Whether the path bends at x, as at a corner where a window ends, or begins there.
+  bool isBent = false;
+  /// The direction in which the path comes to p: that of the ray, unless the path bends or the ray
+  /// is far shorter than the way from x to p.
+  Vec2 direction = {};
+  /// The ray's own direction, better known if the ray is as short.
+  Vec2 ray = {};
+};
+
+/// \param longest edge of the face.
+WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest);
+
 /// The end of the arrival's halfedge at which the path crosses it, but for rounding; NoId if it
 /// crosses between the ends.
 Id cornerCrossed(const TriangleMesh& mesh, const Arrival& arrival);

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/NearestSource.h"
 
-#include "Errors.h"
 #include "Tolerance.h"
 #include "field/NearestSourceOnRanks.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace geodesic
 {
 
 NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const Job& job)
-  : field_(field)
+  : FootFinder(field, patch, curves)
+  , field_(field)
   , mesh_(field.mesh())
-  , curves_(patch, curves)
   , origins_(field.mesh().numberOfVertices())
 {
   const MeshPartition& part = field.surface();
-  for (const VertexOnCurve& on : this->curves_.vertices())
+  for (const VertexOnCurve& on : this->curvesOnPatch().vertices())
   {
     const Id vertex = part.countedVertex(patch.globalId(on.vertex));
     if (vertex != NoId)
@@ -99,90 +99,10 @@ bool NearestSource::isFromCurve(const IncomingSegment& piece) const
     : piece.kind != IncomingSegment::Kind::Window || piece.origin.isOnCurve();
 }
 
-PathOrigin NearestSource::originOf(const IncomingSegment& piece)
+Foot NearestSource::of(const IncomingSegment& piece)
 {
-  if (piece.kind == IncomingSegment::Kind::None)
-  {
-    return {};
-  }
-  if (piece.kind == IncomingSegment::Kind::Source)
-  {
-    return this->atSource(piece);
-  }
-  const RayOrigin origin = piece.origin;
-  if (origin.isPoint())
-  {
-    return { origin, true, RayStart::atAngle(angleAround(origin, piece.start, piece.rayOfWindow)) };
-  }
-  if (origin.isOnCurve())
-  {
-    return { origin, false, piece.start };
-  }
-  const VertexOnCurve* on =
-    piece.kind == IncomingSegment::Kind::Corner ? this->onCurveAt(origin.vertex()) : nullptr;
-  if (on != nullptr)
-  {
-    return this->inFanAt(on->curve, on->parameter, piece);
-  }
-  return this->ofVertex(origin.vertex());
-}
-
-// Beside a segment the segment's line separates the sides, at its ends the segments that meet there
-// do.
-PathOrigin NearestSource::atSource(const IncomingSegment& piece)
-{
-  const SourceInFace& source = piece.source;
-  if (piece.along > 0.0 && piece.along < 1.0)
-  {
-    const double parameter =
-      source.parameterOfA + piece.along * (source.parameterOfB - source.parameterOfA);
-    const Vec2 along = inHalfedgeFrame(this->mesh_, piece.ray.halfedge, source.b) -
-      inHalfedgeFrame(this->mesh_, piece.ray.halfedge, source.a);
-    const bool isRight = cross(along, piece.ray.direction) < 0.0;
-    return { RayOrigin::curveSide(source.curve, isRight), false, RayStart::atParameter(parameter) };
-  }
-  return this->inFanAt(
-    source.curve, piece.along > 0.0 ? source.parameterOfB : source.parameterOfA, piece);
-}
-
-// The piece's direction in the fan of a chain's point: the side that it belongs to, and its angle.
-PathOrigin NearestSource::inFanAt(Id chain, double parameter, const IncomingSegment& piece)
-{
-  const Id face = this->curves_.patch().faceAt(
-    this->field_.surface().addressOf(TriangleMesh::faceOf(piece.ray.halfedge)));
-  const Id halfedge = TriangleMesh::inCopy(piece.ray.halfedge, face);
-  const Vec2 direction = piece.ray.direction;
-  const FanAround& fan = this->fanAt(chain, parameter);
-  PathOrigin path = this->atPoint(fan.sideOf(halfedge, direction));
-  if (this->field_.hasAngles() && dot(direction, direction) > 0.0 && fan.hasFace(face))
-  {
-    path.hasAngle = true;
-    path.start = RayStart::atAngle(fan.angleOf(halfedge, direction));
-  }
-  return path;
-}
-
-PathOrigin NearestSource::atPoint(const SideOfCurve& side) const
-{
-  const Id point = this->curves_.chains().pointAt(side.curve, side.parameter);
-  return { RayOrigin::pointSide(point, side.isRight) };
-}
-
-// All curves at a vertex have the same fan there.
-const FanAround& NearestSource::fanAt(Id chain, double parameter)
-{
-  const CurveChains& chains = this->curves_.chains();
-  Id number = chains.pointAt(chain, parameter);
-  if (const VertexOnCurve* on = this->curves_.vertexAtPlaceOf(chains.pointWith(number)))
-  {
-    number = chains.pointAt(on->curve, on->parameter);
-  }
-  if (number != this->fanPoint_)
-  {
-    this->fan_.emplace(this->meshOfCurves(), this->curves_.placeOf(chains.pointWith(number)));
-    this->fanPoint_ = number;
-  }
-  return *this->fan_;
+  const PathOrigin path = this->originOf(piece);
+  return this->footOf(path.origin.isVertex() ? this->ofVertex(path.origin.vertex()) : path);
 }
 
 PathOrigin NearestSource::ofVertex(Id globalId) const
@@ -194,93 +114,6 @@ PathOrigin NearestSource::ofVertex(Id globalId) const
   }
   const auto found = this->elsewhere_.find(globalId);
   return found != this->elsewhere_.end() ? found->second : PathOrigin();
-}
-
-const VertexOnCurve* NearestSource::onCurveAt(Id globalId) const
-{
-  return this->curves_.find(this->curves_.patch().vertexAt(globalId));
-}
-
-Foot NearestSource::footOf(const PathOrigin& path) const
-{
-  Foot foot;
-  if (!path.origin.isKnown())
-  {
-    return foot;
-  }
-  const CurveChains& chains = this->curves_.chains();
-  if (path.origin.isPoint())
-  {
-    const CurveChains::Point point = chains.pointWith(path.origin.point());
-    foot.chain = point.chain;
-    foot.parameter = chains.parameters(point.chain)[point.i];
-    foot.direction = path.hasAngle ? Foot::Direction::AroundPoint : Foot::Direction::None;
-    foot.angleInFan = path.start.angle();
-  }
-  else
-  {
-    foot.chain = path.origin.curve();
-    foot.parameter = path.start.parameter();
-    foot.direction = Foot::Direction::AcrossSegment;
-  }
-  foot.curve = chains.curveAt(foot.chain, foot.parameter);
-  foot.isRight = path.origin.isRight() != chains.inChain(foot.curve).isReversed;
-  return foot;
-}
-
-SurfacePoint NearestSource::pointOf(const Foot& foot) const
-{
-  const SourceCurve& curve = this->curves_.chains().curves()[foot.chain];
-  const std::vector<double>& parameters = this->curves_.chains().parameters(foot.chain);
-  const auto behind = std::upper_bound(parameters.begin(), parameters.end(), foot.parameter);
-  if (behind == parameters.begin())
-  {
-    return curve.points.front();
-  }
-  const auto i = static_cast<std::size_t>(behind - parameters.begin()) - 1;
-  if (i + 1 == parameters.size() || foot.parameter == parameters[i])
-  {
-    return curve.points[i];
-  }
-  const double t = (foot.parameter - parameters[i]) / (parameters[i + 1] - parameters[i]);
-  const Id face = curve.faces[i];
-  const Barycentric a = barycentric(this->meshOfCurves(), curve.points[i], face);
-  const Barycentric b = barycentric(this->meshOfCurves(), curve.points[i + 1], face);
-  return fromBarycentric(this->meshOfCurves(), face, between(a, b, t));
-}
-
-std::vector<double> NearestSource::arcLengthsOf(Id curve) const
-{
-  const CurveChains::CurveInChain& part = this->curves_.chains().inChain(curve);
-  const std::vector<double>& parameters = this->curves_.chains().parameters(part.chain);
-  std::vector<double> lengths;
-  for (std::size_t i = part.begin; i <= part.end; ++i)
-  {
-    lengths.push_back(this->curves_.chains().arcLength(curve, parameters[i]));
-  }
-  if (part.isReversed)
-  {
-    std::reverse(lengths.begin(), lengths.end());
-  }
-  return lengths;
-}
-
-double NearestSource::angleOf(const Foot& foot)
-{
-  if (!this->field_.hasAngles())
-  {
-    throw Error("The angle of a path was asked for, but the solve did not keep angles.");
-  }
-  if (foot.direction == Foot::Direction::AcrossSegment)
-  {
-    return foot.isRight ? -RightAngle : RightAngle;
-  }
-  if (foot.direction == Foot::Direction::None)
-  {
-    return 0.0;
-  }
-  return this->curves_.chains().angleFrom(
-    foot.curve, this->fanAt(foot.chain, foot.parameter).angleFromCurve(foot.angleInFan));
 }
 
 }

@@ -5,6 +5,7 @@
 #include "Tolerance.h"
 #include "field/DistanceField.h"
 #include "field/RetentionAround.h"
+#include "paths/PathCorridor.h"
 #include "paths/PathInWindows.h"
 #include "paths/PathTracer.h"
 
@@ -163,100 +164,30 @@ std::vector<double> distancesInSpace(const TriangleMesh& mesh, const SurfacePoin
   return distances;
 }
 
-/// Keeps what tracing from the second point needs. The distance of a vertex and its way to the
-/// second point add up to a path: the corridor need be no longer.
-class StripRetention : public RetentionAround
-{
-public:
-  /// \param least a length below which roundings decide.
-  StripRetention(const TriangleMesh& mesh, const SurfacePoint& second,
-    const std::vector<double>& toSecond, double least)
-    : RetentionAround(mesh, { second })
-    , toSecond_(toSecond)
-    , least_(least)
-  {
-    this->keepForPaths(MeshPartition(mesh));
-  }
-
-  double longestPath() const override { return this->longestPath_; }
-
-  void advance(const FrontState& front) override
-  {
-    RetentionAround::advance(front);
-    for (const Id vertex : front.settled)
-    {
-      const double length =
-        front.distances(vertex) + (1.0 + tolerance::CorridorSearch) * this->toSecond_[vertex];
-      this->longestPath_ = std::min(
-        this->longestPath_, std::max(this->least_, (1.0 + tolerance::BoundMargin) * length));
-    }
-  }
-
-private:
-  const std::vector<double>& toSecond_;
-  double least_;
-  double longestPath_ = Infinity;
-};
-
-/// Lower bounds of the distance to the second point. The distances that the search from there has
-/// found are lower bounds, except where it left out what no path within the length passes: there
-/// the distance exceeds what the way from the first point leaves of the length. Beyond
-/// `searchedTo`, where the search has ended, that is a lower bound.
-///
-/// \param searched the corridor of the search.
-std::vector<double> lowerBounds(const TriangleMesh& mesh, const SurfacePoint& second,
-  const std::vector<double>& toSecond, double searchedTo, const Corridor& searched)
-{
-  std::vector<double> bounds = distancesInSpace(mesh, second);
-  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
-  {
-    const double found =
-      std::min({ toSecond[vertex], searchedTo, searched.length - searched.lowerBounds[vertex] });
-    bounds[vertex] = std::max(bounds[vertex], (1.0 - tolerance::BoundMargin) * found);
-  }
-  return bounds;
-}
-
 /// Finds a shortest path between two points of a surface.
-///
-/// An approximate front from the second point, which costs a fraction of an exact one, gives lower
-/// bounds of the distance to that point. An exact front from the first point then goes only where a
-/// path can still be as short as the best known one: through a strip of few faces. Hardly any
-/// windows are kept, as followPath() needs few.
 ///
 /// \param length an upper bound of the path's length. The mesh must contain all faces that a path
 ///        of that length can touch.
-/// \returns the path from the first point to the second, see TracedPath; empty if there is none.
+/// \returns the path from the first point to the second; empty if there is none.
 std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePoint& first,
   const SurfacePoint& second, double length, const Job& job)
 {
-  Corridor corridor{ distancesInSpace(mesh, first), length };
+  const Corridor within{ distancesInSpace(mesh, first), length };
+  const Corridor corridor = corridorTo(MeshPartition(mesh), ReplicatedPatch(mesh), second, first,
+    &within, job.part(0.0, ShareOfSearch));
   FrontOptions options;
   options.corridor = &corridor;
-  options.job = job.part(0.0, ShareOfSearch);
-  options.relativeError = tolerance::CorridorSearch;
-  RetentionAround search(mesh, { first });
-  const std::vector<double> toSecond =
-    propagate(mesh, { pointCurve(second) }, options, search).vertexDistances;
-
-  corridor.lowerBounds = lowerBounds(mesh, second, toSecond, search.neededDistance(), corridor);
-  // The two points may be at one place but for roundings.
-  const double least = tolerance::BoundMargin * length;
-  corridor.length =
-    std::min(length, std::max(least, (1.0 + tolerance::CorridorSearch) * search.neededDistance()));
-  options.relativeError = 0.0;
   options.keepArrivals = true;
   options.job = job.part(ShareOfSearch, 1.0);
-  StripRetention strip(mesh, second, toSecond, least);
-  FrontResult front = propagate(mesh, { pointCurve(first) }, options, strip);
-  const DistanceField field(MeshPartition(mesh), std::move(front), strip.release());
+  RetentionAround aroundSecond(mesh, { second });
+  aroundSecond.keepForPaths(MeshPartition(mesh));
+  FrontResult front = propagate(mesh, { pointCurve(first) }, options, aroundSecond);
+  const DistanceField field(MeshPartition(mesh), std::move(front), aroundSecond.release());
   TracedPath path = beginPath(field, second);
   followPath(field, path);
   if (path.next == PathState::Next::Lost)
   {
     // Seldom: by windows that are all kept, in the corridor alone.
-    corridor.length = std::min(corridor.length, strip.longestPath());
-    options.keepArrivals = false;
     options.job = job.part(1.0, 1.0);
     path.points =
       pathInWindows(solve(mesh, { pointCurve(first) }, options, KeepWindows::All), second);
@@ -370,19 +301,19 @@ JoinPoints joinByShortestPaths(const TriangleMesh& mesh)
   { return pathBetween(mesh, first, second, job); };
 }
 
-JoinPoints JoinedPaths::reusedBy(JoinPoints join)
+JoinPoints JoinedPaths::joinBy(JoinPoints join, const JoinedPaths& earlier)
 {
   const auto keyOf = [](const SurfacePoint& p) { return PointKey(p.kind, p.id, p.u, p.v); };
-  return [this, keyOf, join = std::move(join)](
+  return [this, keyOf, &earlier, join = std::move(join)](
            const SurfacePoint& first, const SurfacePoint& second, const Job& job)
   {
-    const auto [used, isNew] = this->used_.try_emplace(Ends(keyOf(first), keyOf(second)));
+    const auto [path, isNew] = this->paths_.try_emplace(Ends(keyOf(first), keyOf(second)));
     if (isNew)
     {
-      const auto kept = this->kept_.find(used->first);
-      used->second = kept != this->kept_.end() ? kept->second : join(first, second, job);
+      const auto known = earlier.paths_.find(path->first);
+      path->second = known != earlier.paths_.end() ? known->second : join(first, second, job);
     }
-    return used->second;
+    return path->second;
   };
 }
 

@@ -23,26 +23,22 @@ namespace geodesic
 /// \param mesh must outlive the result.
 JoinPoints joinByShortestPaths(const TriangleMesh& mesh);
 
-/// Remembers the paths that join far points of a mesh's curves, within a use and from one use to
-/// the next. If one point of a polyline moves, the other segments need not be joined again.
+/// The paths that join far points of a mesh's curves. If one point of a polyline moves, the other
+/// segments need not be joined again: the next call looks for their paths here.
 class JoinedPaths
 {
 public:
-  /// Begins a use. Paths that the use does not ask for are forgotten when it ends.
-  void beginUse() { this->used_.clear(); }
-  void endUse() { this->kept_ = std::move(this->used_); }
-
-  /// Makes a function that joins points as `join` does, but each pair only once. This object must
-  /// outlive the result.
-  JoinPoints reusedBy(JoinPoints join);
+  /// Makes a function that joins points as `join` does, but each pair only once, and that keeps the
+  /// paths here. This object must outlive the function.
+  ///
+  /// \param earlier paths of the same mesh that need not be found again; must outlive the function.
+  JoinPoints joinBy(JoinPoints join, const JoinedPaths& earlier);
 
 private:
   using PointKey = std::tuple<SurfacePoint::Kind, Id, double, double>;
   using Ends = std::pair<PointKey, PointKey>;
-  using Paths = std::map<Ends, std::vector<SurfacePoint>>;
 
-  Paths kept_;
-  Paths used_;
+  std::map<Ends, std::vector<SurfacePoint>> paths_;
 };
 
 }

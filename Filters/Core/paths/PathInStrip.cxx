@@ -2,9 +2,9 @@
 #include "paths/PathInStrip.h"
 
 #include "Tolerance.h"
-#include "field/DistanceField.h"
+#include "field/NearestSource.h"
+#include "paths/PathCorridor.h"
 #include "paths/PathInWindows.h"
-#include "source/SourceWindows.h"
 
 #include <algorithm>
 #include <utility>
@@ -31,10 +31,12 @@ bool isHere(const MeshPartition& part, const TargetOnRank& target)
   return target.face.rank == part.exchange().rank();
 }
 
-// A front from the target, which goes nowhere from where the source is too far.
-std::vector<double> distancesTo(const TargetOnRank& target, const MeshPartition& part,
-  const KnownDistances& known, const Job& job, Retention& passed)
+/// Finds this rank's faces of the strip.
+std::vector<Id> facesOfStrip(const MeshPartition& part, const ReplicatedPatch& patch,
+  const std::vector<SourceCurve>& curves, const TargetOnRank& target, const KnownDistances& known,
+  const Job& job)
 {
+  const TriangleMesh& mesh = part.mesh();
   const ReplicatedPatch around(
     part, isHere(part, target) ? std::vector<Id>{ target.face.id } : std::vector<Id>());
   Corridor corridor{ known.atVertices, longestTo(target) };
@@ -42,42 +44,7 @@ std::vector<double> distancesTo(const TargetOnRank& target, const MeshPartition&
   {
     bound = (1.0 - tolerance::BoundMargin) * std::min(bound, known.upTo);
   }
-  FrontOptions options;
-  options.corridor = &corridor;
-  options.job = job;
-  return propagate(part,
-    sourceWindowsOfPartition(
-      part, around, makeSourceWindows(around.mesh(), { pointCurve(onPatch(around, target)) })),
-    options, passed)
-    .vertexDistances;
-}
-
-/// Finds this rank's faces of the strip.
-std::vector<Id> facesOfStrip(const MeshPartition& part, const ReplicatedPatch& patch,
-  const std::vector<SourceCurve>& curves, const TargetOnRank& target, const KnownDistances& known,
-  const Job& job)
-{
-  const TriangleMesh& mesh = part.mesh();
-  KeepFaces passed(mesh);
-  const std::vector<double> toTarget = distancesTo(target, part, known, job, passed);
-  const WindowArchive windows = passed.release().windows;
-  const auto isPassed = [&](Id halfedge)
-  {
-    // A path may also run along edges, from vertex to vertex, where no window goes.
-    const Id vertex = mesh.origin(halfedge);
-    return !windows.at(halfedge).empty() ||
-      (1.0 - tolerance::BoundMargin) * known.atVertices[vertex] + toTarget[vertex] <=
-      longestTo(target);
-  };
-  std::vector<Id> faces;
-  for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
-  {
-    const std::array<Id, 3> halfedges = TriangleMesh::halfedgesOf(face);
-    if (std::any_of(halfedges.begin(), halfedges.end(), isPassed))
-    {
-      faces.push_back(face);
-    }
-  }
+  std::vector<Id> faces = facesInCorridor(part, around, onPatch(around, target), corridor, job);
   const auto addOwn = [&](Id face)
   {
     if (face != NoId && part.isOwn(face))
@@ -156,19 +123,27 @@ std::optional<GatheredPath> pathInStrip(const MeshPartition& part, const Replica
   FrontOptions options;
   options.corridor = &corridor;
   options.job = job;
-  const DistanceField field =
-    solve(strip.mesh(), curvesOnStrip(strip, patch, curves), options, KeepWindows::All);
-  std::vector<SurfacePoint> points = pathInWindows(field, onPatch(strip, target));
-  const bool isLost = points.empty();
-  return GatheredPath{ target.number, isLost, strip, std::move(points), target.distance };
+  options.keepArrivals = true;
+  options.keepAngles = true;
+  const std::vector<SourceCurve> onStrip = curvesOnStrip(strip, patch, curves);
+  const DistanceField field = solve(strip.mesh(), onStrip, options, KeepWindows::All);
+  GatheredPath path = { target.number, false, strip, pathInWindows(field, onPatch(strip, target)),
+    target.distance, {} };
+  path.isLost = path.points.empty();
+  if (!path.isLost)
+  {
+    NearestSource nearest(field, ReplicatedPatch(strip.mesh()), onStrip);
+    const SurfacePoint& last = path.points[path.points.size() > 1 ? path.points.size() - 2 : 0];
+    path.end = endAt(nearest.of(incomingSegmentTo(field, last)), nearest, onStrip, target.distance);
+  }
+  return path;
 }
 
-PathToSource cleanedPath(const GatheredPath& path, const PathEnds& ends)
+PathToSource toSource(const GatheredPath& path)
 {
   const TriangleMesh& mesh = path.faces.mesh();
-  const auto addressOf = [&path](Id face) { return path.faces.ownerOf(face); };
-  const std::vector<SurfacePoint> points = cleanedPath(mesh, path.points, path.length);
-  return { mesh, points, addressOf, ends.of(mesh, points, addressOf) };
+  return { mesh, cleanedPath(mesh, path.points, path.length),
+    [&path](Id face) { return path.faces.ownerOf(face); }, path.end };
 }
 
 }

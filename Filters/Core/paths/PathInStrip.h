@@ -42,6 +42,7 @@ struct GatheredPath
   /// On the mesh of the faces; as far as the path was followed if it got lost.
   std::vector<SurfacePoint> points;
   double length;
+  PathEnd end;
 };
 
 /// Finds a shortest path by the windows of the faces that it goes through: slower than tracing it
@@ -57,11 +58,10 @@ std::optional<GatheredPath> pathInStrip(const MeshPartition& part, const Replica
   const std::vector<SourceCurve>& curves, const TargetOnRank& target, const KnownDistances& known,
   const Job& job);
 
-/// A gathered path without what its search adds by rounding, and its end.
+/// A gathered path without what its search adds by rounding.
 ///
 /// \param path must outlive the result.
-/// \param ends of paths on the same curves.
-PathToSource cleanedPath(const GatheredPath& path, const PathEnds& ends);
+PathToSource toSource(const GatheredPath& path);
 
 }
 

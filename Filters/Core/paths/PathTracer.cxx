@@ -2,7 +2,7 @@
 #include "paths/PathTracer.h"
 
 #include "Tolerance.h"
-#include "field/WaysIntoFace.h"
+#include "paths/ShortestWay.h"
 #include "window/UnfoldedFace.h"
 
 #include <algorithm>
@@ -12,37 +12,6 @@ namespace geodesic
 
 namespace
 {
-
-/// A way from a corner or through a window to a point, and its face.
-struct WayInFace : WayIntoFace
-{
-  Id face = NoId;
-};
-
-/// The shortest way to the last point of a path, through this rank's faces except the one that the
-/// search leaves out.
-WayInFace shortestWayHere(const DistanceField& field, const TracedPath& path)
-{
-  WayInFace shortest;
-  const SurfacePoint& last = path.points.back();
-  forEachFace(field.mesh(), last,
-    [&](Id face)
-    {
-      if (face != path.without && field.surface().isOwn(face))
-      {
-        forEachWay(field, face, last,
-          [&](const WayIntoFace& way)
-          {
-            if (way.kind != WayIntoFace::Kind::Source && !way.isBehind &&
-              way.distance < shortest.distance)
-            {
-              shortest = { way, face };
-            }
-          });
-      }
-    });
-  return shortest;
-}
 
 /// Follows one path.
 class PathTracer
@@ -76,14 +45,14 @@ public:
       }
       else if (this->path.next == Next::Search)
       {
-        bool isAllHere = true;
+        bool isAllOwn = true;
         forEachFace(this->mesh, this->path.points.back(),
-          [&](Id around) { isAllHere = isAllHere && this->surface.isOwn(around); });
-        if (!isAllHere)
+          [&](Id around) { isAllOwn = isAllOwn && this->surface.isOwn(around); });
+        if (!isAllOwn)
         {
           return NoId;
         }
-        this->goOnThroughHere();
+        this->continueOnThisRank();
       }
       else if (this->path.points.back().kind == SurfacePoint::Kind::Vertex)
       {
@@ -103,9 +72,9 @@ public:
     return NoId;
   }
 
-  void goOnThroughHere()
+  void continueOnThisRank()
   {
-    const WayInFace way = shortestWayHere(this->field, this->path);
+    const WayInFace way = shortestWayTo(this->field, this->path.points.back(), this->path.without);
     if (way.kind == WayIntoFace::Kind::Corner)
     {
       this->goToVertex(way.vertex, way.face);
@@ -113,7 +82,9 @@ public:
     else if (way.kind == WayIntoFace::Kind::Window)
     {
       const Window& w = *way.window;
-      this->startLeg(way.halfedge, way.x, w.direction(way.x), w.origin);
+      this->path.piece = { IncomingSegment::Kind::Window, way.distance, {}, w.origin,
+        w.startOf({ way.x, 0.0 }), way.from.ray, {}, 0.0 };
+      this->startLeg(way.halfedge, way.x, w.direction(way.x));
     }
     else
     {
@@ -155,7 +126,8 @@ private:
   {
     if (!(this->field.vertexDistances()[vertex] > 0.0))
     {
-      this->path.next = Next::End;
+      const Id face = this->path.faces.back();
+      this->endAtVertex(vertex, face, barycentric(this->mesh, this->path.points.back(), face));
       return;
     }
     for (const Id corner : this->mesh.cornersAt(vertex))
@@ -171,7 +143,11 @@ private:
       this->path.next = Next::Lost; // a bound along an edge was shorter by roundings
       return;
     }
-    this->startLeg(arrival.halfedge, arrival.x, arrival.direction, arrival.origin);
+    const WayFrom way = wayFrom(arrival.x, apexOf(this->mesh, arrival.halfedge), arrival.direction,
+      this->mesh.shape(TriangleMesh::faceOf(arrival.halfedge)).longest());
+    this->path.piece = { IncomingSegment::Kind::Window, this->path.left, {}, arrival.origin,
+      arrival.start, way.ray, {}, 0.0 };
+    this->startLeg(arrival.halfedge, arrival.x, arrival.direction);
   }
 
   // First looks for an end in the faces around the last point; only then are windows asked.
@@ -192,7 +168,7 @@ private:
 
   // From the last point back to the place where the path came through a halfedge of a face with
   // that point.
-  void startLeg(Id halfedge, double x, Vec2 direction, RayOrigin origin)
+  void startLeg(Id halfedge, double x, Vec2 direction)
   {
     const double length = norm(direction);
     Window& ray = this->path.ray;
@@ -204,7 +180,6 @@ private:
     ray.sourceX = direction.x / length;
     ray.sourceDepth = direction.y / length;
     this->path.exit = halfedge;
-    this->path.origin = origin;
     this->path.stepsBesideEnd = 0;
     const Barycentric from =
       barycentric(this->mesh, this->path.points.back(), TriangleMesh::faceOf(halfedge));
@@ -302,7 +277,7 @@ private:
       const bool isOnPath =
         (distance == 0.0 || isOnLeg) && distance + length <= this->longestLeft(face);
       const RayOrigin atCorner = RayOrigin::vertex(this->surface.globalId(vertex));
-      if ((atCorner == this->path.origin || isOnPath) && length < nearest)
+      if ((atCorner == this->path.piece.origin || isOnPath) && length < nearest)
       {
         nearest = length;
         found = vertex;
@@ -334,6 +309,7 @@ private:
     const Barycentric from = barycentric(this->mesh, this->path.points.back(), face);
     double nearest = this->longestLeft(face);
     Barycentric end{};
+    IncomingSegment last;
     for (const SourceInFace& source : sources)
     {
       const Barycentric point = nearestOnSource(this->mesh, source, from);
@@ -342,22 +318,53 @@ private:
       {
         nearest = length;
         end = point;
-        this->path.next = Next::End;
+        last.kind = IncomingSegment::Kind::Source;
+        last.source = source;
       }
     }
-    if (this->path.next == Next::End)
+    if (last.kind == IncomingSegment::Kind::Source)
     {
       this->add(face, fromBarycentric(this->mesh, face, end));
-      this->path.left = 0.0;
+      last.along = nearestAlongSource(this->mesh, last.source, from);
+      this->endWith(last, face, end, from);
     }
     return this->path.next == Next::End;
   }
 
   void goToVertex(Id vertex, Id face)
   {
+    const Barycentric from = barycentric(this->mesh, this->path.points.back(), face);
     this->add(face, SurfacePoint::atVertex(vertex));
     this->path.next = Next::Point;
     this->path.left = this->field.vertexDistances()[vertex];
+    if (!(this->path.left > 0.0))
+    {
+      this->endAtVertex(vertex, face, from);
+    }
+  }
+
+  void endAtVertex(Id vertex, Id face, const Barycentric& from)
+  {
+    IncomingSegment last;
+    last.kind = IncomingSegment::Kind::Corner;
+    last.origin = RayOrigin::vertex(this->surface.globalId(vertex));
+    const Barycentric end = barycentric(this->mesh, SurfacePoint::atVertex(vertex), face);
+    this->endWith(last, face, end, from);
+  }
+
+  // If a ray from the source has led here, its window knows the foot better than the last piece,
+  // which leads through a face from the end.
+  void endWith(
+    const IncomingSegment& last, Id face, const Barycentric& end, const Barycentric& from)
+  {
+    this->path.next = Next::End;
+    this->path.left = 0.0;
+    if (!this->path.piece.origin.isOnCurve())
+    {
+      const Id frame = longestHalfedge(this->mesh, face);
+      this->path.piece = last;
+      this->path.piece.ray = { frame, false, 0.0, wayInFrame(this->mesh, frame, end, from) };
+    }
   }
 };
 
@@ -367,8 +374,7 @@ TracedPath beginPath(const DistanceField& field, const SurfacePoint& from)
 {
   TracedPath path;
   const SurfacePoint point = normalized(field.mesh(), from);
-  path.whole = field.distance(point);
-  path.left = path.whole;
+  path.left = path.whole = field.distance(point);
   if (!(path.whole < Infinity))
   {
     path.next = PathState::Next::End;
@@ -384,14 +390,9 @@ Id followPath(const DistanceField& field, TracedPath& path)
   return PathTracer{ field, path }.follow();
 }
 
-double lengthThroughHere(const DistanceField& field, const TracedPath& path)
+void continueOnThisRank(const DistanceField& field, TracedPath& path)
 {
-  return shortestWayHere(field, path).distance;
-}
-
-void goOnThroughHere(const DistanceField& field, TracedPath& path)
-{
-  PathTracer{ field, path }.goOnThroughHere();
+  PathTracer{ field, path }.continueOnThisRank();
 }
 
 }

@@ -2,7 +2,7 @@
 #ifndef geodesic_PathTracer_h
 #define geodesic_PathTracer_h
 
-#include "field/DistanceField.h"
+#include "field/IncomingSegment.h"
 
 #include <vector>
 
@@ -41,8 +41,9 @@ struct PathState
   /// window without width in the leaving frame, whose x axis runs against the halfedge.
   Id exit = NoId;
   Window ray = {};
-  /// What the ray comes straight from: Window::origin.
-  RayOrigin origin = {};
+  /// The straight piece that the path is on. At the path's end, the piece that begins on the
+  /// source: FootFinder::originOf().
+  IncomingSegment piece;
 
   bool isOnItsWay() const { return this->next != Next::End && this->next != Next::Lost; }
 };
@@ -74,12 +75,8 @@ TracedPath beginPath(const DistanceField& field, const SurfacePoint& from);
 ///          around its last point (PathState::Next::Search) in faces of several ranks.
 Id followPath(const DistanceField& field, TracedPath& path);
 
-/// The length of the shortest path that comes to the last point through this rank's faces, except
-/// TracedPath::without; infinite if there is none.
-double lengthThroughHere(const DistanceField& field, const TracedPath& path);
-
 /// Continues from a search through the best of this rank's faces.
-void goOnThroughHere(const DistanceField& field, TracedPath& path);
+void continueOnThisRank(const DistanceField& field, TracedPath& path);
 
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paths/PathsOnRanks.h"
 
+#include "paths/ShortestWay.h"
+
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -101,7 +103,8 @@ bool PathsOnRanks::searchAround(InTransit& transit) const
   if (own != transit.toAsk.end())
   {
     transit.toAsk.erase(own);
-    const double length = lengthThroughHere(this->field_, transit.path);
+    const double length =
+      shortestWayTo(this->field_, transit.path.points.back(), transit.path.without).distance;
     if (std::tie(length, self) < std::tie(transit.shortest, transit.rankOfShortest))
     {
       transit.shortest = length;
@@ -120,7 +123,7 @@ bool PathsOnRanks::searchAround(InTransit& transit) const
     return false;
   }
   transit.shortest = Infinity;
-  goOnThroughHere(this->field_, transit.path);
+  continueOnThisRank(this->field_, transit.path);
   return true;
 }
 
@@ -178,7 +181,7 @@ PathsOnRanks::InTransit PathsOnRanks::getInTransit(MessageReader& reader) const
 }
 
 // What this rank has found of a path.
-void PathsOnRanks::putReport(const InTransit& transit, Message& message) const
+void PathsOnRanks::putReport(const InTransit& transit, Message& message)
 {
   const TracedPath& path = transit.path;
   put(message, true);
@@ -193,6 +196,9 @@ void PathsOnRanks::putReport(const InTransit& transit, Message& message) const
   }
   putAll(message, points);
   put(message, path.whole);
+  const Foot foot =
+    path.next == Next::End ? this->feet_.footOf(this->feet_.originOf(path.piece)) : Foot();
+  put(message, endAt(foot, this->feet_, this->curves_, path.whole));
 }
 
 void PathsOnRanks::takeReport(MessageReader& reader, std::vector<GatheredPath>& arrived)
@@ -201,6 +207,7 @@ void PathsOnRanks::takeReport(MessageReader& reader, std::vector<GatheredPath>& 
   const auto next = reader.get<Next>();
   const auto points = reader.getAll<SentPoint>();
   const auto whole = reader.get<double>();
+  const auto end = reader.get<PathEnd>();
   std::vector<SentPoint>& found = this->found_[target];
   found.insert(found.end(), points.begin(), points.end());
   if (next != Next::End && next != Next::Lost)
@@ -212,7 +219,8 @@ void PathsOnRanks::takeReport(MessageReader& reader, std::vector<GatheredPath>& 
   {
     sent.push_back(p.face);
   }
-  GatheredPath path = { target, next == Next::Lost, GatheredFaces(std::move(sent)), {}, whole };
+  GatheredPath path = { target, next == Next::Lost, GatheredFaces(std::move(sent)), {}, whole,
+    end };
   for (const SentPoint& p : found)
   {
     path.points.push_back(

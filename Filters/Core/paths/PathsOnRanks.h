@@ -21,10 +21,14 @@ namespace geodesic
 class PathsOnRanks
 {
 public:
-  /// \param field of this rank's part; must outlive this, as must the job.
-  PathsOnRanks(const DistanceField& field, const Job& job)
+  /// \param field of this rank's part; must outlive this, as must the others.
+  /// \param curves those of the feet.
+  PathsOnRanks(const DistanceField& field, FootFinder& feet, const std::vector<SourceCurve>& curves,
+    const Job& job)
     : field_(field)
     , part_(field.surface())
+    , feet_(feet)
+    , curves_(curves)
     , job_(job)
   {
   }
@@ -74,11 +78,13 @@ private:
   std::vector<int> ranksToAsk(const TracedPath& path) const;
   void putInTransit(const InTransit& transit, Message& message) const;
   InTransit getInTransit(MessageReader& reader) const;
-  void putReport(const InTransit& transit, Message& message) const;
+  void putReport(const InTransit& transit, Message& message);
   void takeReport(MessageReader& reader, std::vector<GatheredPath>& arrived);
 
   const DistanceField& field_;
   const MeshPartition& part_;
+  FootFinder& feet_;
+  const std::vector<SourceCurve>& curves_;
   const Job& job_;
   /// Those that go on from this rank, or whose ends it sends to their targets' ranks.
   std::vector<InTransit> leaving_;

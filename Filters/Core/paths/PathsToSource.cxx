@@ -3,7 +3,6 @@
 
 #include "Errors.h"
 #include "field/RetentionAround.h"
-#include "mesh/ReplicatedPatch.h"
 #include "paths/PathInStrip.h"
 #include "paths/PathInWindows.h"
 #include "paths/PathTracer.h"
@@ -31,15 +30,16 @@ constexpr std::size_t PathsAtATime = 256;
 class PathFinder
 {
 public:
-  PathFinder(const DistanceField& field, const PathEnds& ends,
-    const std::vector<SurfacePoint>& targets, const Job& job, const TakePath& take)
+  PathFinder(const DistanceField& field, const ReplicatedPatch& patch,
+    const std::vector<SourceCurve>& curves, const std::vector<SurfacePoint>& targets,
+    const Job& job, const TakePath& take)
     : field_(field)
-    , part_(field.surface())
-    , ends_(ends)
+    , curves_(curves)
+    , feet_(field, patch, curves)
     , targets_(targets)
     , job_(job)
     , take_(take)
-    , onRanks_(field, job)
+    , onRanks_(field, feet_, curves, job)
   {
   }
 
@@ -52,7 +52,7 @@ public:
       this->job_.reach(TracingDone);
       for (const GatheredPath& path : this->onRanks_.handOver())
       {
-        this->takeFromRanks(path);
+        path.isLost ? this->lost_.push_back(path.target) : this->take_(path.target, toSource(path));
       }
     }
     std::sort(this->lost_.begin(), this->lost_.end());
@@ -70,54 +70,49 @@ private:
     {
       tracing.reach(static_cast<double>(first) / static_cast<double>(count));
       std::vector<TracedPath> paths(std::min(PathsAtATime, count - first));
-      tracing.tasks(paths.size(),
-        [&](std::size_t i) { paths[i] = this->traceFrom(static_cast<Id>(first + i)); });
+      tracing.tasks(
+        paths.size(), [&](std::size_t i) { paths[i] = this->trace(this->targets_[first + i]); });
       for (std::size_t i = 0; i < paths.size(); ++i)
       {
-        const auto target = static_cast<Id>(first + i);
-        if (paths[i].isOnItsWay())
-        {
-          this->onRanks_.add(target, std::move(paths[i]));
-        }
-        else if (paths[i].next == PathState::Next::Lost)
-        {
-          this->lost_.push_back(target);
-        }
+        this->handOn(static_cast<Id>(first + i), std::move(paths[i]));
       }
     }
   }
 
-  // Takes the path if it has come to its end.
-  TracedPath traceFrom(Id target) const
+  TracedPath trace(const SurfacePoint& target) const
   {
-    TracedPath path = beginPath(this->field_, this->targets_[target]);
+    TracedPath path = beginPath(this->field_, target);
     followPath(this->field_, path);
-    if (path.next == PathState::Next::End && !path.points.empty())
+    if (path.next == PathState::Next::End)
     {
-      const TriangleMesh& mesh = this->part_.mesh();
-      const auto addressOf = [this](Id face) { return this->part_.addressOf(face); };
-      const std::vector<SurfacePoint> points =
-        cleanedPath(mesh, std::exchange(path.points, {}), path.whole);
-      this->take_(target, { mesh, points, addressOf, this->ends_.of(mesh, points, addressOf) });
+      path.points = cleanedPath(this->field_.mesh(), path.points, path.whole);
     }
     return path;
   }
 
-  void takeFromRanks(const GatheredPath& path)
+  void handOn(Id target, TracedPath path)
   {
-    if (path.isLost)
+    if (path.isOnItsWay())
     {
-      this->lost_.push_back(path.target);
+      this->onRanks_.add(target, std::move(path));
     }
-    else
+    else if (path.next == PathState::Next::Lost)
     {
-      this->take_(path.target, cleanedPath(path, this->ends_));
+      this->lost_.push_back(target);
+    }
+    else if (!path.points.empty())
+    {
+      this->take_(target,
+        { this->field_.mesh(), std::move(path.points),
+          [this](Id face) { return this->field_.surface().addressOf(face); },
+          endAt(this->feet_.footOf(this->feet_.originOf(path.piece)), this->feet_, this->curves_,
+            path.whole) });
     }
   }
 
   const DistanceField& field_;
-  const MeshPartition& part_;
-  const PathEnds& ends_;
+  const std::vector<SourceCurve>& curves_;
+  FootFinder feet_;
   const std::vector<SurfacePoint>& targets_;
   const Job& job_;
   const TakePath& take_;
@@ -128,6 +123,14 @@ private:
 
 } // anonymous namespace
 
+PathEnd endAt(
+  const Foot& foot, FootFinder& feet, const std::vector<SourceCurve>& curves, double length)
+{
+  return foot.isKnown() ? PathEnd{ curves[foot.curve].source, feet.arcLengthOf(foot),
+    length > 0.0 ? feet.angleOf(foot) : 0.0 }
+                        : PathEnd();
+}
+
 void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const std::vector<SurfacePoint>& targets, const Job& job,
   const TakePath& take)
@@ -136,14 +139,14 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
   retention.keepForPaths(part);
   FrontOptions frontOptions;
   frontOptions.keepArrivals = true;
+  frontOptions.keepAngles = true;
   frontOptions.job = job.part(0.0, FrontDone);
   FrontResult front = propagate(part,
     sourceWindowsOfPartition(part, patch, startingWindows(patch.mesh(), curves, frontOptions.job)),
     frontOptions, retention);
   const DistanceField field(part, std::move(front), retention.release());
 
-  const PathEnds ends(patch, curves);
-  PathFinder paths(field, ends, targets, job, take);
+  PathFinder paths(field, patch, curves, targets, job, take);
   paths.run();
 
   const KnownDistances known{ field.vertexDistances(),
@@ -163,7 +166,7 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
     }
     if (found)
     {
-      PathToSource path = cleanedPath(*found, ends);
+      PathToSource path = toSource(*found);
       path.wasLost = true;
       take(found->target, path);
     }

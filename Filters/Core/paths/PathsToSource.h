@@ -2,10 +2,10 @@
 #ifndef geodesic_PathsToSource_h
 #define geodesic_PathsToSource_h
 
+#include "field/FootFinder.h"
 #include "front/Front.h"
 #include "mesh/ReplicatedPatch.h"
 #include "mesh/SurfacePoint.h"
-#include "paths/PathEnds.h"
 #include "source/SourceCurve.h"
 
 #include <functional>
@@ -13,6 +13,18 @@
 
 namespace geodesic
 {
+
+/// The end of a path on the source.
+struct PathEnd
+{
+  /// SourceCurve::source of the curve that the end lies on.
+  Id source = NoId;
+  /// The length along this curve, from its first point.
+  double arcLength = 0.0;
+  /// The direction in which the path leaves the source, seen from its end: FootFinder::angleOf(). 0
+  /// for a target on the source.
+  double angle = 0.0;
+};
 
 /// A shortest path from a target to the source.
 struct PathToSource
@@ -37,9 +49,16 @@ struct PathToSource
   }
 };
 
-/// Takes over the path of a target. Paths come in no order, several at the same time from the
-/// job's threads. Targets that are not reached have none.
+/// Takes over the path of a target. Paths come one after another, in no order. Targets that are not
+/// reached have none.
 using TakePath = std::function<void(std::size_t target, const PathToSource& path)>;
+
+/// The end of a path at a foot.
+///
+/// \param curves those of the feet.
+/// \param length of the path.
+PathEnd endAt(
+  const Foot& foot, FootFinder& feet, const std::vector<SourceCurve>& curves, double length);
 
 /// Finds the shortest paths from points of the surface to the nearest point of the source, one path
 /// for each target.

@@ -6,6 +6,7 @@
 
 #include "paths/FacesBetweenPoints.h"
 #include "paths/JoinPoints.h"
+#include "paths/PathCorridor.h"
 
 #include <gtest/gtest.h>
 
@@ -127,12 +128,13 @@ TEST_P(FacesBetweenPoints, AreFoundByBoundsOfTheWays)
       onRanks(cutInSpace(mesh, ranks, random), { pointAt(source.points[0]), pointAt(to) }, 0,
         [&](const RankOfRun& rank)
         {
-          const geodesic::LowerBounds ways = lowerBoundsFrom(rank.part, rank.patch,
-            rank.curvesOnPatch[0].points.front(), rank.curvesOnPatch[1].points.front());
+          const geodesic::Corridor ways =
+            corridorTo(rank.part, rank.patch, rank.curvesOnPatch[0].points.front(),
+              rank.curvesOnPatch[1].points.front(), nullptr, {});
           EXPECT_GE(ways.length, truth.queries.front() - slack) << "seed " << seed;
           for (std::size_t i = 0; i < rank.wholeVertices.size(); ++i)
           {
-            EXPECT_LE(ways.atLeast[i], truth.vertices[rank.wholeVertices[i]] + slack)
+            EXPECT_LE(ways.lowerBounds[i], truth.vertices[rank.wholeVertices[i]] + slack)
               << "seed " << seed;
           }
         });

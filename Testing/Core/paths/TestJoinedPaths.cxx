@@ -26,15 +26,15 @@ TEST(JoinedPaths, ArePathsOfTheLastUseOnly)
   const auto use = [&](const std::vector<geodesic::Id>& vertices)
   {
     joins = 0;
-    paths.beginUse();
-    const JoinPoints reused = paths.reusedBy(join);
+    geodesic::JoinedPaths used;
+    const JoinPoints reused = used.joinBy(join, paths);
     for (std::size_t i = 1; i < vertices.size(); ++i)
     {
       const std::vector<SurfacePoint> path =
         reused(SurfacePoint::atVertex(vertices[i - 1]), SurfacePoint::atVertex(vertices[i]), {});
       EXPECT_EQ(path.back().id, vertices[i]);
     }
-    paths.endUse();
+    paths = std::move(used);
     return joins;
   };
   EXPECT_EQ(use({ 1, 2, 3, 4, 5 }), 4);

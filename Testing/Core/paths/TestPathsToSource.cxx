@@ -278,7 +278,6 @@ TEST_P(PathsToSourceOn, InWindowsAreAsLongAsTheBruteForceDistance)
     const PathChecker checker(c.plain.mesh);
     const geodesic::DistanceField field = geodesic::solve(c.mesh, c.curves);
     const geodesic::ReplicatedPatch patch(c.mesh);
-    const geodesic::PathEnds ends(patch, c.curves);
     const double slack = accuracyOn(GetParam()) * c.largest;
     for (std::size_t i = 0; i < Targets; i += 5)
     {
@@ -294,7 +293,7 @@ TEST_P(PathsToSourceOn, InWindowsAreAsLongAsTheBruteForceDistance)
         { { 0, face }, geodesic::toFacePoint(c.mesh, face, c.targets[i]), distance },
         { field.vertexDistances() }, {});
       ASSERT_TRUE(found && !found->isLost);
-      path.take(geodesic::cleanedPath(*found, ends));
+      path.take(geodesic::toSource(*found));
       ASSERT_FALSE(path.points.empty());
       const std::vector<PathPoint> plain = checker.plain(path.points);
       EXPECT_LE(
@@ -479,15 +478,106 @@ TEST(PathsToSource, FromBothSidesOfASourceAlongAnEdgeEndWithTheAngleOfTheirSide)
     const double v = random.uniform(0.01, 0.3);
     targets.push_back({ random.below(2), { 1.0 - u - v, u, v } });
   }
+  targets.push_back({ 0, { 0.5, 0.5, 0.0 } });
   std::vector<geodesic::PathEnd> ends(targets.size());
   geodesic::pathsToSource(geodesic::MeshPartition(mesh), geodesic::ReplicatedPatch(mesh), curves,
     enginePoints(mesh, targets), {},
     [&](std::size_t target, const geodesic::PathToSource& path) { ends[target] = path.end; });
-  for (std::size_t i = 0; i < targets.size(); ++i)
+  EXPECT_EQ(ends.back().angle, 0.0) << "on the source";
+  for (std::size_t i = 0; i + 1 < targets.size(); ++i)
   {
     EXPECT_NEAR(ends[i].arcLength, geodesic::dot(position(plain, targets[i]), along), 1e-14);
     EXPECT_NEAR(
       ends[i].angle, targets[i].face == 0 ? geodesic::RightAngle : -geodesic::RightAngle, 1e-14);
+  }
+}
+
+// Paths along edges and across faces, to a source at a vertex and to a curve that ends or bends
+// there. A regular hexagon is flat: angles around its center are those in the plane.
+TEST(PathsToSource, ToTheCenterOfAHexagonLeaveItInTheirDirections)
+{
+  PlainMesh plain;
+  plain.points = { { 0, 0, 0 } };
+  for (int k = 0; k < 6; ++k)
+  {
+    plain.points.push_back({ std::cos(k * geodesic::Pi / 3), std::sin(k * geodesic::Pi / 3), 0 });
+    plain.triangles.push_back(
+      { 0, static_cast<Index>(k + 1), static_cast<Index>((k + 1) % 6 + 1) });
+  }
+  const TriangleMesh mesh = engineMesh(plain);
+  std::vector<SurfacePoint> targets;
+  for (geodesic::Id k = 0; k < 6; ++k)
+  {
+    targets.push_back(SurfacePoint::atVertex(k + 1));
+    targets.push_back(enginePoint(mesh, { k, { 0.2, 0.3, 0.5 } }));
+  }
+  const auto directionTo = [&](std::size_t target)
+  {
+    const Vec3 place = geodesic::position(mesh, targets[target]);
+    return std::atan2(place[1], place[0]);
+  };
+  const auto endsOn = [&](const Sources& source)
+  {
+    std::vector<geodesic::PathEnd> ends(targets.size());
+    geodesic::pathsToSource(geodesic::MeshPartition(mesh), geodesic::ReplicatedPatch(mesh),
+      engineCurves(mesh, source), targets, {},
+      [&](std::size_t target, const geodesic::PathToSource& path) { ends[target] = path.end; });
+    return ends;
+  };
+  const std::vector<geodesic::PathEnd> ofPoint =
+    endsOn({ { MeshPoint{ 0, { 1.0, 0.0, 0.0 } } }, {} });
+  // The curve comes along the edge to vertex 4 and ends in the center: behind it all angles are
+  // within a right angle of its direction.
+  const std::vector<geodesic::PathEnd> ofCurve =
+    endsOn({ {}, { { 3, { 0.0, 1.0, 0.0 }, { 1.0, 0.0, 0.0 } } } });
+  for (std::size_t i = 0; i < targets.size(); ++i)
+  {
+    const double direction = directionTo(i);
+    SCOPED_TRACE("direction " + std::to_string(direction));
+    EXPECT_NEAR(std::remainder(ofPoint[i].angle - direction, 2.0 * geodesic::Pi), 0.0, 1e-14);
+    if (std::abs(direction) < 0.5 * geodesic::Pi)
+    {
+      EXPECT_NEAR(ofCurve[i].angle, direction, 1e-14);
+      EXPECT_NEAR(ofCurve[i].arcLength, 1.0, 1e-14);
+    }
+  }
+}
+
+// Most paths cross several faces and end with a ray of the segment, the others with one of its
+// ends.
+TEST(PathsToSource, ToASegmentInThePlaneHaveItsArcLengthAndItsSide)
+{
+  const PlainMesh plain = regularGrid(8, 8);
+  const TriangleMesh mesh = engineMesh(plain);
+  const MeshPoint from = { 66, { 0.8, 0.1, 0.1 } };
+  const MeshPoint to = { 66, { 0.1, 0.2, 0.7 } };
+  Sources source;
+  source.segments = { { from.face, from.weights, to.weights } };
+  const Vec3 begin = position(plain, from);
+  const Vec3 along = geodesic::operator-(position(plain, to), begin);
+  const double length = geodesic::norm(along);
+  Random random(1);
+  std::vector<MeshPoint> targets = randomPoints(plain, 300, random);
+  targets.push_back(to);
+  targets.push_back(from);
+  std::vector<geodesic::PathEnd> ends(targets.size());
+  geodesic::pathsToSource(geodesic::MeshPartition(mesh), geodesic::ReplicatedPatch(mesh),
+    engineCurves(mesh, source), enginePoints(mesh, targets), {},
+    [&](std::size_t target, const geodesic::PathToSource& path) { ends[target] = path.end; });
+  for (std::size_t i = 0; i < targets.size(); ++i)
+  {
+    const Vec3 way = geodesic::operator-(position(plain, targets[i]), begin);
+    const double arcLength = geodesic::dot(way, along) / length;
+    const double side = along[0] * way[1] - along[1] * way[0];
+    EXPECT_NEAR(ends[i].arcLength, std::clamp(arcLength, 0.0, length), 1e-12) << "target " << i;
+    if (i >= 300)
+    {
+      EXPECT_EQ(ends[i].angle, 0.0) << "on the segment";
+    }
+    else if (arcLength > 1e-9 && arcLength < length - 1e-9)
+    {
+      EXPECT_EQ(ends[i].angle, side > 0.0 ? geodesic::RightAngle : -geodesic::RightAngle);
+    }
   }
 }
 
