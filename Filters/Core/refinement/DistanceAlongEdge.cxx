@@ -105,19 +105,6 @@ std::vector<double> DistanceAlongEdge::stepsWithin(
   }
 }
 
-// A cut at the worst place, which is a kink if there is one, and the fewest on both sides of it.
-std::vector<double> DistanceAlongEdge::cutsWithKink(
-  double from, double to, double tolerance, std::size_t most) const
-{
-  const double at = this->deviation(from, to, nullptr).at();
-  const double kink = from + at * (to - from);
-  std::vector<double> places = this->stepsWithin(from, kink, tolerance, most);
-  places.push_back(kink);
-  const std::vector<double> behind = this->stepsWithin(kink, to, tolerance, most);
-  places.insert(places.end(), behind.begin(), behind.end());
-  return places;
-}
-
 // If the k-th of n cuts is put between the furthest from the one end and the furthest from the
 // other, at k / (n + 1) of the way, pieces are equal where the curvature is. The furthest from the
 // one end if that does not suffice.
@@ -136,13 +123,13 @@ std::vector<double> DistanceAlongEdge::evenCuts(
   {
     const double weight = static_cast<double>(i + 1) / static_cast<double>(count + 1);
     even.push_back(forward[i] + weight * (backward[count - 1 - i] - forward[i]));
-    if (this->deviation(last, even.back(), nullptr).largest() > tolerance)
+    if (!this->isWithin(last, even.back(), tolerance))
     {
       return forward;
     }
     last = even.back();
   }
-  return this->deviation(last, to, nullptr).largest() > tolerance ? forward : even;
+  return this->isWithin(last, to, tolerance) ? even : forward;
 }
 
 std::vector<double> DistanceAlongEdge::cuts(double from, double to, double tolerance) const
@@ -153,8 +140,12 @@ std::vector<double> DistanceAlongEdge::cuts(double from, double to, double toler
   {
     return {};
   }
-  std::vector<double> withKink = this->cutsWithKink(from, to, tolerance, count);
-  return withKink.size() <= count ? withKink : this->evenCuts(from, to, tolerance, forward);
+  const double worst = from + this->deviation(from, to, nullptr).at() * (to - from);
+  if (count == 1 && this->isWithin(from, worst, tolerance) && this->isWithin(worst, to, tolerance))
+  {
+    return { worst };
+  }
+  return this->evenCuts(from, to, tolerance, forward);
 }
 
 }

@@ -26,16 +26,18 @@ public:
   ///
   /// \param ends the values at both places; each face has its own if this is null.
   Deviation deviation(double from, double to, const std::array<double, 2>* ends) const;
-  /// Places that cut a part into the fewest pieces within the tolerance, ascending. One is where
-  /// the distance has a kink, if that needs no more pieces; else deviations are about equal. None
-  /// if there would be hundreds.
+  /// Places that cut a part into the fewest pieces within the tolerance, ascending; none if there
+  /// would be hundreds. If one cut suffices at the largest deviation, such as a kink, it is there;
+  /// else deviations of the pieces are about equal.
   std::vector<double> cuts(double from, double to, double tolerance) const;
 
 private:
   double furthest(double from, double to, double guess, double tolerance) const;
   std::vector<double> stepsWithin(double from, double to, double tolerance, std::size_t most) const;
-  std::vector<double> cutsWithKink(
-    double from, double to, double tolerance, std::size_t most) const;
+  bool isWithin(double from, double to, double tolerance) const
+  {
+    return this->deviation(from, to, nullptr).largest() <= tolerance;
+  }
   std::vector<double> evenCuts(
     double from, double to, double tolerance, const std::vector<double>& forward) const;
 

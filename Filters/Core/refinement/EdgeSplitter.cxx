@@ -13,7 +13,7 @@ namespace
 {
 
 // No part of a piece is shorter than this fraction of it: so lengths fall from split to split.
-constexpr double LeastWeight = 0.1;
+constexpr double LeastWeight = 0.03;
 
 } // anonymous namespace
 

@@ -33,7 +33,7 @@ constexpr Id SplitsForShapePerPoint = 4;
 
 // A new point inside keeps this fraction of half the side that it splits away from the sides of the
 // face. Else its triangles there would be thin unless the face's side gets a point, too.
-constexpr double DistanceFromSides = 0.35;
+constexpr double DistanceFromSides = 0.2;
 
 // A large face takes several rounds, between which the watcher can stop.
 constexpr int StepsInRound = 2048;
@@ -51,6 +51,25 @@ std::array<double, 3> lengthsOf(const std::array<Vec2, 3>& c)
 std::size_t indexOfLargest(const std::array<double, 3>& values)
 {
   return static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+}
+
+double shortest(const std::array<double, 3>& lengths)
+{
+  return *std::min_element(lengths.begin(), lengths.end());
+}
+
+// The longest of a triangle's sides that lie on sides of the face; 3 if none does.
+std::size_t longestOnSide(const FaceTriangles::Part& part, const std::array<double, 3>& lengths)
+{
+  std::size_t longest = 3;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    if (part.across[k] == NoId && (longest == 3 || lengths[k] > lengths[longest]))
+    {
+      longest = k;
+    }
+  }
+  return longest;
 }
 
 // The smallest angle of a triangle, in radians.
@@ -321,8 +340,8 @@ void FaceRefiner::mendError(const OpenPart& open)
   }
 }
 
-// The side of the face that is too long gets a point where the angle there is just large enough. At
-// a sharp corner pieces then grow with the way from the corner.
+// A triangle whose piece of the face's side is too long gets a point there, where the angle is just
+// large enough. At a sharp corner pieces then grow with the way from the corner.
 void FaceRefiner::mendShape(const OpenPart& open)
 {
   const FaceTriangles::Part& part = this->face_->parts()[open.part];
@@ -332,8 +351,8 @@ void FaceRefiner::mendShape(const OpenPart& open)
   }
   const std::array<Vec2, 3> places = this->face_->places(part.corners);
   const auto lengths = lengthsOf(places);
-  const std::size_t k = indexOfLargest(lengths);
-  if (part.across[k] != NoId)
+  const std::size_t k = longestOnSide(part, lengths);
+  if (k == 3 || !(lengths[k] > UnequalSides * shortest(lengths)))
   {
     this->halveLongest(open);
     return;
