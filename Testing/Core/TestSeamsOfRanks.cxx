@@ -380,9 +380,9 @@ TEST(FailuresOnRanks, AnAbortOfOneRefinementStopsAll)
   EXPECT_THROW(onRanks(inBands(grid, 3), { pointSource(vertexPoint(grid, 0)) }, 0,
                  [&](const RankOfRun& rank)
                  {
-                   const DistanceField field = solveForRefinement(rank.part, rank.sources, 1e-3);
+                   const DistanceField field = solveForRefinement(rank.part, rank.sources, 1e-5);
                    geodesic::RefinementOptions options;
-                   options.tolerance = 1e-3;
+                   options.tolerance = 1e-5;
                    options.job = geodesic::Job(
                      [&](double done)
                      {

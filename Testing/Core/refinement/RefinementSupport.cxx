@@ -66,8 +66,8 @@ void expectPointsRight(const DistanceField& field, const RefinedMesh& refined, c
     const Id id = refined.numberOfInputPoints + static_cast<Id>(i);
     ASSERT_LT(p.parents[0], id);
     ASSERT_LT(p.parents[1], id);
-    EXPECT_GE(p.weight, 0.1);
-    EXPECT_LE(p.weight, 0.9);
+    EXPECT_GE(p.weight, 0.03);
+    EXPECT_LE(p.weight, 0.97);
     EXPECT_NE(p.place.kind, SurfacePoint::Kind::Vertex);
     EXPECT_TRUE(places.emplace(p.place.kind, p.place.id, p.place.u, p.place.v).second)
       << "two points at one place";
