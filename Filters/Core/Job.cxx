@@ -174,6 +174,9 @@ void Job::look(double fraction) const
   {
     return;
   }
+  // Looks of tasks, which do not know how far the work is, tell what was reached before.
+  const double here = this->begin_ + (this->end_ - this->begin_) * std::min(fraction, 1.0);
+  caller.reached = std::max(caller.reached, here);
   constexpr std::chrono::milliseconds betweenCalls(20);
   const Caller::Clock::time_point now = Caller::Clock::now();
   if (now >= caller.nextLook)
