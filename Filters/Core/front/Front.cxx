@@ -157,7 +157,20 @@ private:
         processBatch(this->front_, worker, district);
       });
     this->receive();
-    this->front_.options.job.look(this->done());
+    this->report();
+  }
+
+  // At each hundredth of the way, and where that takes long, in between.
+  void report()
+  {
+    constexpr double step = 0.01;
+    const double done = this->done();
+    if (done >= this->reported_ + step)
+    {
+      this->reported_ = done;
+      this->front_.options.job.reach(done);
+    }
+    this->front_.options.job.look(done);
   }
 
   /// Lets the districts take their mail, and finds the next batch.
@@ -362,6 +375,8 @@ private:
   /// A vertex that recently had windows within the needed distance.
   Id vertexWithin_ = NoId;
   std::vector<WindowPool*> pools_;
+  /// See report().
+  double reported_ = 0.0;
 };
 
 } // anonymous namespace
