@@ -32,6 +32,19 @@ struct Job::Caller
   {
     return this->thread != std::thread::id() && this->thread != std::this_thread::get_id();
   }
+  /// Remembers that the work has come to a fraction of a stretch. It never goes back.
+  void moveTo(double begin, double end, double fraction)
+  {
+    this->reached = std::max(this->reached, begin + (end - begin) * std::min(fraction, 1.0));
+  }
+  void tellWatcher()
+  {
+    if (!this->watcher(this->reached))
+    {
+      this->hasStopped.store(true, std::memory_order_relaxed);
+      throw Aborted();
+    }
+  }
 };
 
 namespace
@@ -148,14 +161,8 @@ void Job::reach(double fraction) const
 {
   if (this->caller_ && this->caller_->watcher)
   {
-    Caller& caller = *this->caller_;
-    const double here = this->begin_ + (this->end_ - this->begin_) * std::min(fraction, 1.0);
-    caller.reached = std::max(caller.reached, here);
-    if (!caller.watcher(caller.reached))
-    {
-      caller.hasStopped.store(true, std::memory_order_relaxed);
-      throw Aborted();
-    }
+    this->caller_->moveTo(this->begin_, this->end_, fraction);
+    this->caller_->tellWatcher();
   }
 }
 
@@ -175,14 +182,13 @@ void Job::look(double fraction) const
     return;
   }
   // Looks of tasks, which do not know how far the work is, tell what was reached before.
-  const double here = this->begin_ + (this->end_ - this->begin_) * std::min(fraction, 1.0);
-  caller.reached = std::max(caller.reached, here);
+  caller.moveTo(this->begin_, this->end_, fraction);
   constexpr std::chrono::milliseconds betweenCalls(20);
   const Caller::Clock::time_point now = Caller::Clock::now();
   if (now >= caller.nextLook)
   {
     caller.nextLook = now + betweenCalls;
-    this->reach(fraction);
+    caller.tellWatcher();
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <string>
 
 namespace geodesictest
@@ -135,6 +136,13 @@ Index wholeFaceOf(const RankOfRun& rank, const geodesic::RankAddress& face)
   const auto found = std::find_if(rank.facesOnRanks.begin(), rank.facesOnRanks.end(),
     [&face](const geodesic::RankAddress& f) { return f.rank == face.rank && f.id == face.id; });
   return static_cast<Index>(found - rank.facesOnRanks.begin());
+}
+
+std::vector<geodesic::Id> ownFacesOf(const geodesic::MeshPartition& part)
+{
+  std::vector<geodesic::Id> faces(part.endOfOwnFaces() - part.firstOwnFace());
+  std::iota(faces.begin(), faces.end(), part.firstOwnFace());
+  return faces;
 }
 
 void onRanks(const CutMesh& cut, const std::vector<Polyline>& curves, std::uint64_t disorder,

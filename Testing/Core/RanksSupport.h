@@ -55,6 +55,8 @@ struct Piece
 };
 Piece pieceOf(const CutMesh& cut, int rank);
 
+std::vector<geodesic::Id> ownFacesOf(const geodesic::MeshPartition& part);
+
 /// One rank of a run: its partition of the surface, and its share of the sources.
 struct RankOfRun
 {

@@ -397,6 +397,17 @@ inline vtkDataArray* Distances(vtkGeodesicDistanceField* filter)
   return filter->GetOutput()->GetPointData()->GetArray(filter->GetDistanceArrayName());
 }
 
+inline void AskForAllArrays(vtkGeodesicDistanceField* filter)
+{
+  filter->GenerateSourceIdsOn();
+  filter->GenerateClosestPointsOn();
+  filter->GenerateGradientsOn();
+  filter->GenerateSignedDistanceOn();
+  filter->GenerateSourceArcLengthOn();
+  filter->GenerateSourceAngleOn();
+  filter->GenerateTextureCoordinatesOn();
+}
+
 /// Input about which the filter has something to say.
 struct Case
 {

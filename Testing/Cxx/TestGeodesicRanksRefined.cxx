@@ -321,13 +321,7 @@ void Ask(vtkGeodesicDistanceField* filter, const Task& task)
   filter->SetSourceData(Sources());
   filter->SetRefinementTolerance(task.Tolerance);
   filter->SetRefineSourceBorders(task.AreBordersRefined);
-  filter->GenerateSourceIdsOn();
-  filter->GenerateClosestPointsOn();
-  filter->GenerateGradientsOn();
-  filter->GenerateSignedDistanceOn();
-  filter->GenerateSourceArcLengthOn();
-  filter->GenerateSourceAngleOn();
-  filter->GenerateTextureCoordinatesOn();
+  AskForAllArrays(filter);
   filter->SetTextureScale(1.0);
   filter->SetAccuracy(task.RelativeError > 0.0 ? vtkGeodesicDistanceField::APPROXIMATE
                                                : vtkGeodesicDistanceField::EXACT);

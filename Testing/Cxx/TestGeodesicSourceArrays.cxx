@@ -125,13 +125,7 @@ vtkDataArray* Array(vtkGeodesicDistanceField* filter, const char* name)
 
 void SwitchAllOn(vtkGeodesicDistanceField* filter)
 {
-  filter->GenerateSourceIdsOn();
-  filter->GenerateClosestPointsOn();
-  filter->GenerateGradientsOn();
-  filter->GenerateSignedDistanceOn();
-  filter->GenerateSourceArcLengthOn();
-  filter->GenerateSourceAngleOn();
-  filter->GenerateTextureCoordinatesOn();
+  AskForAllArrays(filter);
   filter->SetTextureScale(1.0);
 }
 

@@ -74,13 +74,7 @@ void ChooseAll(vtkGeodesicDistanceField* filter)
 {
   filter->SetInputData(TwoSquaresAndUnusedPoints());
   filter->SetSourceData(Line());
-  filter->GenerateSourceIdsOn();
-  filter->GenerateClosestPointsOn();
-  filter->GenerateGradientsOn();
-  filter->GenerateSignedDistanceOn();
-  filter->GenerateSourceArcLengthOn();
-  filter->GenerateSourceAngleOn();
-  filter->GenerateTextureCoordinatesOn();
+  AskForAllArrays(filter);
 }
 
 /// Against the same with infinity: what is finite is the same, what is infinite is the value, in

@@ -117,6 +117,7 @@ public:
   SourceFrame frameOf(Id curve) const { return this->curves_.frameOf(curve); }
 
 protected:
+  const DistanceField& field() const { return this->field_; }
   const VertexOnCurve* onCurveAt(Id globalId) const;
   PathOrigin atPoint(const SideOfCurve& side) const;
 

@@ -13,8 +13,6 @@ namespace geodesic
 NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const Job& job)
   : FootFinder(field, patch, curves)
-  , field_(field)
-  , mesh_(field.mesh())
   , origins_(field.mesh().numberOfVertices())
 {
   const MeshPartition& part = field.surface();
@@ -34,7 +32,7 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
       this->follow(vertex);
     }
   }
-  this->elsewhere_ = originsElsewhere(this->field_, this->origins_);
+  this->elsewhere_ = originsElsewhere(this->field(), this->origins_);
 }
 
 // The last piece of the path to a vertex. If it comes through a window and cannot bend at a corner,
@@ -42,12 +40,16 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
 // unless the source is so near to the halfedge that rounding of the crossing turns the ray.
 IncomingSegment NearestSource::originTo(Id vertex) const
 {
-  const Arrival& arrival = this->field_.arrivals()[vertex];
+  const Arrival& arrival = this->field().arrivals()[vertex];
   const auto isNear = [&]
-  { return norm(arrival.direction) < tolerance::NearEdge * this->mesh_.length(arrival.halfedge); };
-  if (!arrival.isThroughWindow() || isNear() || cornerCrossed(this->mesh_, arrival) != NoId)
   {
-    return incomingSegmentTo(this->field_, SurfacePoint::atVertex(vertex));
+    return norm(arrival.direction) <
+      tolerance::NearEdge * this->field().mesh().length(arrival.halfedge);
+  };
+  if (!arrival.isThroughWindow() || isNear() ||
+    cornerCrossed(this->field().mesh(), arrival) != NoId)
+  {
+    return incomingSegmentTo(this->field(), SurfacePoint::atVertex(vertex));
   }
   IncomingSegment piece;
   piece.kind = IncomingSegment::Kind::Window;
@@ -73,7 +75,7 @@ void NearestSource::follow(Id vertex)
       found = this->originOf(piece);
       break;
     }
-    vertex = this->field_.surface().countedVertex(piece.origin.vertex());
+    vertex = this->field().surface().countedVertex(piece.origin.vertex());
     if (vertex == NoId)
     {
       found = { piece.origin };
@@ -107,7 +109,7 @@ Foot NearestSource::of(const IncomingSegment& piece)
 
 PathOrigin NearestSource::ofVertex(Id globalId) const
 {
-  const Id vertex = this->field_.surface().countedVertex(globalId);
+  const Id vertex = this->field().surface().countedVertex(globalId);
   if (vertex != NoId)
   {
     return this->origins_[vertex];

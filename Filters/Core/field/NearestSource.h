@@ -40,8 +40,6 @@ private:
   bool isFromCurve(const IncomingSegment& piece) const;
   PathOrigin ofVertex(Id globalId) const;
 
-  const DistanceField& field_;
-  const TriangleMesh& mesh_;
   /// The origin of the path to each vertex.
   std::vector<PathOrigin> origins_;
   /// Those of vertices that other ranks count, by their global ids; none in one process.

@@ -43,7 +43,7 @@ struct FrontOptions
   /// Whether to fill FrontResult::arrivals, which takes 40 bytes a vertex. Changes no distance.
   bool keepArrivals = false;
   /// Whether windows carry the angle at which their rays leave the source, for
-  /// NearestSource::angleOf(). Changes no distance.
+  /// FootFinder::angleOf(). Changes no distance.
   bool keepAngles = false;
   /// The result does not depend on its threads. Its watcher hears of the front at least ten times a
   /// second.

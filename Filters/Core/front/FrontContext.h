@@ -109,6 +109,28 @@ struct FrontContext
   double longestPath;
 };
 
+/// Runs task(i) for i below the count. The memory of the next items is fetched in advance, so that
+/// none waits for it.
+///
+/// \param fetch (i) -> void, called once for each item.
+template <typename Fetch, typename Task>
+void forEachInAdvance(std::size_t count, const Fetch& fetch, const Task& task)
+{
+  constexpr std::size_t ahead = 4;
+  for (std::size_t i = 0; i < std::min(ahead, count); ++i)
+  {
+    fetch(i);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (i + ahead < count)
+    {
+      fetch(i + ahead);
+    }
+    task(i);
+  }
+}
+
 }
 
 #endif

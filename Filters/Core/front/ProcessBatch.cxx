@@ -293,10 +293,10 @@ void processVertex(FrontContext& front, FrontWorker& worker, District& district,
   }
 }
 
-// Fetches the face of the first list that passes for vertex i of the batch, if there is one.
-void prefetchFacing(const FrontContext& front, const District& district, std::size_t i)
+// Fetches the face of the first list that passes for a vertex, if there is one.
+void prefetchFacing(const FrontContext& front, const District& district, Id vertex)
 {
-  const Id group = i < district.batch.size() ? front.vertices[district.batch[i]].facing : NoId;
+  const Id group = front.vertices[vertex].facing;
   if (group != NoId)
   {
     front.mesh.prefetch(TriangleMesh::faceOf(district.lists[group].back().halfedge));
@@ -327,18 +327,10 @@ bool isOutsideCorridor(const FrontContext& front, Id halfedge, const WindowRange
 
 void processBatch(FrontContext& front, FrontWorker& worker, District& district)
 {
-  // The memory of the next vertices is fetched in advance, so that none waits for it.
-  constexpr std::size_t ahead = 4;
   const std::vector<Id>& vertices = district.batch;
-  for (std::size_t i = 0; i < ahead; ++i)
-  {
-    prefetchFacing(front, district, i);
-  }
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-  {
-    prefetchFacing(front, district, i + ahead);
-    processVertex(front, worker, district, vertices[i]);
-  }
+  forEachInAdvance(
+    vertices.size(), [&](std::size_t i) { prefetchFacing(front, district, vertices[i]); },
+    [&](std::size_t i) { processVertex(front, worker, district, vertices[i]); });
 }
 
 void sendWindows(

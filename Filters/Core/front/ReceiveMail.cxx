@@ -69,24 +69,10 @@ void receiveList(FrontContext& front, FrontWorker& worker, District& district, H
 void receiveLists(FrontContext& front, FrontWorker& worker, District& district,
   const std::vector<HalfedgeList>& lists)
 {
-  // The faces of the next lists are fetched in advance, so that none waits for its memory.
-  constexpr std::size_t ahead = 4;
-  const auto prefetch = [&](std::size_t i)
-  {
-    if (i < lists.size())
-    {
-      front.mesh.prefetch(TriangleMesh::faceOf(lists[i].halfedge));
-    }
-  };
-  for (std::size_t i = 0; i < ahead; ++i)
-  {
-    prefetch(i);
-  }
-  for (std::size_t i = 0; i < lists.size(); ++i)
-  {
-    prefetch(i + ahead);
-    receiveList(front, worker, district, lists[i]);
-  }
+  forEachInAdvance(
+    lists.size(),
+    [&](std::size_t i) { front.mesh.prefetch(TriangleMesh::faceOf(lists[i].halfedge)); },
+    [&](std::size_t i) { receiveList(front, worker, district, lists[i]); });
 }
 
 } // anonymous namespace

@@ -140,10 +140,13 @@ std::vector<double> DistanceAlongEdge::cuts(double from, double to, double toler
   {
     return {};
   }
-  const double worst = from + this->deviation(from, to, nullptr).at() * (to - from);
-  if (count == 1 && this->isWithin(from, worst, tolerance) && this->isWithin(worst, to, tolerance))
+  if (count == 1)
   {
-    return { worst };
+    const double worst = from + this->deviation(from, to, nullptr).at() * (to - from);
+    if (this->isWithin(from, worst, tolerance) && this->isWithin(worst, to, tolerance))
+    {
+      return { worst };
+    }
   }
   return this->evenCuts(from, to, tolerance, forward);
 }

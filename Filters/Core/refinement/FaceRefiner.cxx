@@ -352,7 +352,8 @@ void FaceRefiner::mendShape(const OpenPart& open)
   const std::array<Vec2, 3> places = this->face_->places(part.corners);
   const auto lengths = lengthsOf(places);
   const std::size_t k = longestOnSide(part, lengths);
-  if (k == 3 || !(lengths[k] > UnequalSides * shortest(lengths)))
+  const double least = shortest(lengths);
+  if (k == 3 || !(lengths[k] > UnequalSides * least))
   {
     this->halveLongest(open);
     return;
@@ -365,7 +366,7 @@ void FaceRefiner::mendShape(const OpenPart& open)
   const double height = std::abs(cross(along, places[apex] - near));
   const double way = std::min(0.5 * lengths[k],
     dot(along, places[apex] - near) + height / tangent(AngleMargin * this->leastAngle_));
-  if (way < std::min(lengths[next], lengths[apex]))
+  if (way < least)
   {
     return; // no piece may be shorter than the shortest side
   }

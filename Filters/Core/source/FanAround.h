@@ -79,7 +79,7 @@ public:
   /// The turn from one angle to another of the same fan; in a closed fan the shorter one.
   double turn(double from, double to) const;
 
-  /// NearestSource::angleOf(), for the direction of a curve's chain.
+  /// FootFinder::angleOf(), for the direction of a curve's chain.
   ///
   /// \param angle from angleOf(); in a closed fan plus any multiple of the fan's total.
   double angleFromCurve(double angle) const;

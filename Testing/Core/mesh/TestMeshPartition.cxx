@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One rank's part of a surface: coordinates of its vertices, faces of its triangles, and the
 // boundary in a patch of several parts.
-#include "MemoryRanks.h"
+#include "RanksSupport.h"
 #include "truth/TestMeshes.h"
 
 #include "mesh/ReplicatedPatch.h"
@@ -15,6 +15,7 @@ namespace
 
 using namespace geodesic;
 using geodesictest::MemoryRanks;
+using geodesictest::ownFacesOf;
 
 TEST(MeshPartition, PointsOfSeamsLieWhereTheLowestRankHasThem)
 {
@@ -78,12 +79,7 @@ TEST(ReplicatedPatch, KnowsWhetherAnEdgeIsOnTheBoundaryOfTheWholeSurface)
         }
       }
       const MeshPartition part(points, triangles, keys, exchange);
-      std::vector<Id> all;
-      for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
-      {
-        all.push_back(face);
-      }
-      const ReplicatedPatch patch(part, all);
+      const ReplicatedPatch patch(part, ownFacesOf(part));
       ASSERT_EQ(patch.mesh().numberOfFaces(), whole.triangles.size());
       for (Id halfedge = 0; halfedge < 3 * patch.mesh().numberOfFaces(); ++halfedge)
       {

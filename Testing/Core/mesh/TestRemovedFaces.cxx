@@ -273,12 +273,7 @@ std::vector<double> distancesOnRanks(const CutMesh& cut, const RandomSource& sou
       {
         const auto [piece, keyOfPoint] = cleanedPiece(cut, exchange);
         const geodesic::MeshPartition part(piece.points, piece.triangles, piece.keys, exchange);
-        std::vector<Id> all;
-        for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
-        {
-          all.push_back(face);
-        }
-        const geodesic::ReplicatedPatch patch(part, all);
+        const geodesic::ReplicatedPatch patch(part, ownFacesOf(part));
         const geodesic::SourceWindows sources = sourceWindowsOfPartition(
           part, patch, makeSourceWindows(patch.mesh(), source.curvesOn(patch.mesh())));
         geodesic::KeepNone none;
