@@ -23,6 +23,7 @@ struct FrontWorker
   std::vector<ApexSide> apexSides;
   LeavingWindows leaving;
   WindowListBuilder merged;
+  std::vector<Window> bounds;
   WindowPool pool;
   std::vector<EmittedInterval> emitted;
 

@@ -30,21 +30,73 @@ void PassedWindows::add(Id halfedge, double length, const WindowRange& passed,
   }
 }
 
-void PassedWindows::cut(
-  HalfedgeList& come, double length, WindowListBuilder& builder, WindowPool& pool) const
+void PassedWindows::cut(HalfedgeList& come, double length, const std::vector<Window>& bounds,
+  WindowListBuilder& builder, WindowPool& pool)
 {
-  const WindowRange passed = this->at(come.halfedge);
-  if (passed.size() == 0)
-  {
-    return;
-  }
   builder.reset(length);
   for (const Window& window : come.windows.range())
   {
-    builder.appendWhereLower(window, passed);
+    builder.appendWhereLower(window, { bounds.data(), bounds.data() + bounds.size() });
   }
   pool.free(come.windows);
   come.windows = pool.copyOf(builder.range());
+}
+
+namespace
+{
+
+// Paths that go on along the edge, from a point whose distance is known.
+Window alongEdge(double from, double distance, double begin, double end)
+{
+  Window w = {};
+  w.begin = begin;
+  w.end = end;
+  w.sourceX = from;
+  w.sigma = distance;
+  return w;
+}
+
+// Between two points of an edge, paths along it from either, where they are shorter. A point beyond
+// an end of the edge has an infinite distance.
+void appendAlongEdge(
+  double from, double fromDistance, double to, double toDistance, std::vector<Window>& bounds)
+{
+  double middle = fromDistance < Infinity ? to : from;
+  if (fromDistance < Infinity && toDistance < Infinity)
+  {
+    middle = std::clamp(0.5 * (from + to + toDistance - fromDistance), from, to);
+  }
+  if (from < middle)
+  {
+    bounds.push_back(alongEdge(from, fromDistance, from, middle));
+  }
+  if (middle < to && toDistance < Infinity)
+  {
+    bounds.push_back(alongEdge(to, toDistance, middle, to));
+  }
+}
+
+} // anonymous namespace
+
+bool PassedWindows::findBounds(Id halfedge, double length, std::vector<Window>& bounds) const
+{
+  const auto found = this->lists_.find(halfedge);
+  if (found == this->lists_.end())
+  {
+    return false;
+  }
+  bounds.clear();
+  double from = 0.0;
+  double distance = Infinity;
+  for (const Window& w : found->second.range())
+  {
+    appendAlongEdge(from, distance, w.begin, w.distance(w.begin), bounds);
+    bounds.push_back(w);
+    from = w.end;
+    distance = w.distance(w.end);
+  }
+  appendAlongEdge(from, distance, length, Infinity, bounds);
+  return true;
 }
 
 // Each time that there are twice as many lists as were left the last time.

@@ -8,14 +8,15 @@
 #include <cstddef>
 #include <functional>
 #include <unordered_map>
+#include <vector>
 
 namespace geodesic
 {
 
 /// What has gone through halfedges to which windows come again and again: an upper bound of the
-/// distance on them. A window that comes later is cut by it before it goes on. MMP (Mitchell,
-/// Mount and Papadimitriou 1987) keeps all windows of all halfedges for that; on rough surfaces a
-/// few do nearly as much. What is not here costs work only.
+/// distance on their edges. A window that comes later is cut by it before it goes on. MMP
+/// (Mitchell, Mount and Papadimitriou 1987) keeps all windows of all halfedges for that; on rough
+/// surfaces a few do nearly as much. What is not here costs work only.
 class PassedWindows
 {
 public:
@@ -34,10 +35,18 @@ public:
   void add(Id halfedge, double length, const WindowRange& passed, WindowListBuilder& builder,
     WindowPool& pool, const std::function<bool(Id)>& isNeeded);
 
-  /// Cuts windows that come to a halfedge by those that have passed there.
+  /// Finds bounds of the distance on a halfedge: the windows that are remembered, and between them
+  /// paths that go on along the edge from their ends.
+  ///
+  /// \param bounds replaced; sorted and without overlaps.
+  /// \returns whether anything is remembered.
+  bool findBounds(Id halfedge, double length, std::vector<Window>& bounds) const;
+
+  /// Cuts windows that come to a halfedge where bounds of it are lower.
   ///
   /// \param builder is overwritten.
-  void cut(HalfedgeList& come, double length, WindowListBuilder& builder, WindowPool& pool) const;
+  static void cut(HalfedgeList& come, double length, const std::vector<Window>& bounds,
+    WindowListBuilder& builder, WindowPool& pool);
 
   /// Lets others remember the windows instead: of(halfedge).
   template <typename Of>

@@ -303,14 +303,6 @@ void prefetchFacing(const FrontContext& front, const District& district, Id vert
   }
 }
 
-// Changes the windows into those of the reversed halfedge, whose length is given.
-void reverse(const WindowBlock& windows, double length)
-{
-  std::reverse(windows.data, windows.data + windows.size);
-  std::transform(windows.data, windows.data + windows.size, windows.data,
-    [length](const Window& w) { return reversed(w, length); });
-}
-
 // Whether no path in the corridor, which there is, passes the windows of a halfedge. A point of an
 // edge is at least as far from the target as each end is, less its distance to that end. The mean
 // of these two bounds is the same for all points of the edge.
@@ -347,7 +339,7 @@ void sendWindows(
     const WindowBlock block = worker.pool.copyOf(windows);
     if (front.mesh.origin(s) != destination)
     {
-      reverse(block, front.mesh.length(halfedge));
+      reverseAll(block.data, block.data + block.size, front.mesh.length(halfedge));
     }
     std::vector<HalfedgeList>& lists = front.surface.isOwn(TriangleMesh::faceOf(s))
       ? front.mailboxes.to(sender.number, front.districtNumbers.of(front.mesh.opposite(s))).lists

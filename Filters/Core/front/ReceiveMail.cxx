@@ -20,6 +20,30 @@ void mergeInto(
   worker.pool.assign(waiting.windows, worker.merged.range());
 }
 
+// Cuts windows where others have passed through the edge, in any direction, with shorter paths, or
+// where paths along the edge from these are shorter. Through thin faces that meet in a sharp vertex
+// rays may go around it thousands of times, and gain a gap between windows each time. They cross a
+// face twice, which no shortest path does; where such a ray comes, a path along the edge is
+// shorter.
+void cutByPassed(FrontContext& front, FrontWorker& worker, HalfedgeList& list)
+{
+  const double length = front.mesh.length(list.halfedge);
+  Id halfedge = list.halfedge;
+  do
+  {
+    const PassedWindows& passed = front.districtOf(front.mesh.opposite(halfedge)).passed;
+    if (passed.findBounds(halfedge, length, worker.bounds))
+    {
+      if (front.mesh.origin(halfedge) != front.mesh.origin(list.halfedge))
+      {
+        reverseAll(worker.bounds.data(), worker.bounds.data() + worker.bounds.size(), length);
+      }
+      PassedWindows::cut(list, length, worker.bounds, worker.merged, worker.pool);
+    }
+    halfedge = front.mesh.nextSibling(halfedge);
+  } while (halfedge != list.halfedge && list.windows.size > 0);
+}
+
 // A list waits for the vertex opposite, so that it is complete when it goes through its face. In a
 // thin face the vertex may be far from where the windows are, or long behind them. There the list
 // goes when the front is as far as its nearest window, as in MMP. Otherwise windows that wait for a
@@ -30,7 +54,7 @@ void receiveList(FrontContext& front, FrontWorker& worker, District& district, H
   VertexState& state = front.vertices[apex];
   if (state.isBusy() && canGainOn(front, district, sent.halfedge))
   {
-    district.passed.cut(sent, front.mesh.length(sent.halfedge), worker.merged, worker.pool);
+    cutByPassed(front, worker, sent);
     if (sent.windows.size == 0)
     {
       worker.pool.free(sent.windows);

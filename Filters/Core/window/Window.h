@@ -242,6 +242,13 @@ inline Window reversed(const Window& window, double length)
   return w;
 }
 
+/// Changes the windows of a halfedge, in their order, into those of the reversed one.
+inline void reverseAll(Window* begin, Window* end, double length)
+{
+  std::reverse(begin, end);
+  std::transform(begin, end, begin, [length](const Window& w) { return reversed(w, length); });
+}
+
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include "EngineSupport.h"
 #include "OnThreads.h"
 #include "Seeds.h"
+#include "truth/CappedMeshes.h"
 #include "truth/RandomMeshKinds.h"
 #include "truth/TestMeshes.h"
 #include "window/WindowSupport.h"
@@ -272,4 +273,29 @@ TEST(ThinFaces, ListsPassWhenTheFrontIsAsFarAsTheirNearestWindow)
       EXPECT_EQ(lists.late, 0U) << "of " << lists.all << ", seed " << seed;
     }
   }
+}
+
+// Thin faces that meet in sharp vertices, also three and more at an edge: flat ones that hang loose,
+// bent by noise. Rays go around such a vertex thousands of times before they leave.
+TEST(PassedWindows, OfSliversAroundSharpVerticesFewWindowsGoOn)
+{
+  const auto test = [](Random& random)
+  {
+    PlainMesh mesh =
+      meshKinds()[random.below(meshKinds().size())].make(random.between(4, 80), random);
+    mesh = withCaps(mesh, Caps::AnyAndLoose, random.uniform(0.02, 0.5), random).mesh;
+    const double noise = std::pow(10.0, random.uniform(-7.0, -3.0));
+    for (Vec3& p : mesh.points)
+    {
+      for (double& x : p)
+      {
+        x += noise * random.uniform(-1.0, 1.0);
+      }
+    }
+    const TriangleMesh engine = cleanedEngineMesh(mesh);
+    const auto curves = engineCurves(engine, Sources{ { vertexPoint(mesh, 0) }, {} });
+    const DistanceField field = geodesic::solve(engine, curves, {});
+    EXPECT_LE(field.windowsPropagated(), 2000U * engine.numberOfFaces());
+  };
+  forEachSeed(meshesOfAKind(30), 0, test);
 }
