@@ -9,6 +9,7 @@
 #include "truth/TestMeshes.h"
 
 #include "field/DistanceField.h"
+#include "field/NearestSource.h"
 #include "mesh/SurfacePoint.h"
 #include "mesh/TriangleMesh.h"
 #include "paths/JoinPoints.h"
@@ -160,14 +161,33 @@ void forEachSeed(std::uint64_t count, std::uint64_t salt, const Test& test)
   }
 }
 
-/// What was found of a target.
-struct FoundPath
+/// A field with all windows, and the feet of its paths.
+struct FieldWithFeet
 {
-  /// On the mesh that geodesic::pathsToSource() has told, and in space; none where the target is
-  /// not reached.
+  geodesic::TriangleMesh mesh;
+  std::vector<geodesic::SourceCurve> curves;
+  geodesic::DistanceField field;
+  geodesic::NearestSource nearest;
+
+  static geodesic::FrontOptions withAngles(bool keepAngles = true);
+
+  /// The source of each curve is its index.
+  FieldWithFeet(const PlainMesh& plain, const std::vector<Polyline>& polylines,
+    const geodesic::FrontOptions& options = withAngles());
+
+  geodesic::Foot footOf(const geodesic::SurfacePoint& point);
+};
+
+/// The vertices, and other points behind them.
+std::vector<geodesic::SurfacePoint> verticesAnd(
+  const geodesic::TriangleMesh& mesh, const std::vector<MeshPoint>& queries);
+
+/// What was found of a target; the end is not known where the target is not reached.
+struct FoundPath : geodesic::PathEnd
+{
+  /// On the mesh that geodesic::pathsToSource() has told, and in space.
   std::vector<geodesic::SurfacePoint> points;
   std::vector<geodesic::Vec3> places;
-  geodesic::Id source = geodesic::NoId;
   bool wasLost = false;
 
   void take(const geodesic::PathToSource& path);
