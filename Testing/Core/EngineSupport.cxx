@@ -403,9 +403,9 @@ void FoundPath::take(const geodesic::PathToSource& path)
   this->points = path.points;
   for (std::size_t i = 0; i < path.points.size(); ++i)
   {
-    this->places.push_back(geodesic::position(path.mesh, path.points[i]));
+    this->places.push_back(geodesic::position(path.mesh(), path.points[i]));
     EXPECT_TRUE(i == 0 ||
-      geodesic::commonFace(path.mesh, path.points[i - 1], path.points[i]) != geodesic::NoId)
+      geodesic::commonFace(path.mesh(), path.points[i - 1], path.points[i]) != geodesic::NoId)
       << "points " << i - 1 << " and " << i << " of a path have no face in common";
   }
   static_cast<geodesic::PathEnd&>(*this) = path.end;
@@ -418,7 +418,7 @@ std::vector<FoundPath> findPaths(const geodesic::MeshPartition& part,
 {
   std::vector<FoundPath> paths(targets.size());
   geodesic::pathsToSource(part, patch, curves, targets, job,
-    [&](std::size_t target, const geodesic::PathToSource& path) { paths[target].take(path); });
+    [&](const geodesic::PathToSource& path) { paths[path.target].take(path); });
   return paths;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paths/PathsOnRanks.h"
 
+#include "paths/PathInWindows.h"
 #include "paths/ShortestWay.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -41,7 +43,7 @@ void PathsOnRanks::add(Id target, TracedPath path)
   this->follow(transit);
 }
 
-std::vector<GatheredPath> PathsOnRanks::handOver()
+std::vector<PathToSource> PathsOnRanks::handOver()
 {
   Exchange& exchange = this->part_.exchange();
   std::vector<Message> messages = exchange.noMessages();
@@ -56,7 +58,7 @@ std::vector<GatheredPath> PathsOnRanks::handOver()
     }
   }
   this->leaving_.clear();
-  std::vector<GatheredPath> arrived;
+  std::vector<PathToSource> arrived;
   readEach(exchange.step(std::move(messages)),
     [&](int, MessageReader& reader)
     {
@@ -201,7 +203,7 @@ void PathsOnRanks::putReport(const InTransit& transit, Message& message)
   put(message, endAt(foot, this->feet_, this->curves_, path.whole));
 }
 
-void PathsOnRanks::takeReport(MessageReader& reader, std::vector<GatheredPath>& arrived)
+void PathsOnRanks::takeReport(MessageReader& reader, std::vector<PathToSource>& arrived)
 {
   const Id target = reader.get<Id>();
   const auto next = reader.get<Next>();
@@ -214,17 +216,21 @@ void PathsOnRanks::takeReport(MessageReader& reader, std::vector<GatheredPath>& 
   {
     return;
   }
-  std::vector<SentFace> sent;
-  for (const SentPoint& p : found)
+  PathToSource path;
+  path.target = target;
+  if (next == Next::End)
   {
-    sent.push_back(p.face);
-  }
-  GatheredPath path = { target, next == Next::Lost, GatheredFaces(std::move(sent)), {}, whole,
-    end };
-  for (const SentPoint& p : found)
-  {
-    path.points.push_back(
-      fromFacePoint(path.faces.mesh(), path.faces.faceAt(p.face.owner), p.point));
+    std::vector<SentFace> faces;
+    std::transform(found.begin(), found.end(), std::back_inserter(faces),
+      [](const SentPoint& point) { return point.face; });
+    const GatheredFaces gathered(std::move(faces));
+    for (const SentPoint& p : found)
+    {
+      path.points.push_back(fromFacePoint(gathered.mesh(), gathered.faceAt(p.face.owner), p.point));
+    }
+    path.points = cleanedPath(gathered.mesh(), path.points, whole);
+    path.end = end;
+    path.gathered = gathered;
   }
   arrived.push_back(std::move(path));
   this->found_.erase(target);

@@ -43,8 +43,9 @@ public:
   }
   /// Hands each path over to the next rank, which follows it. All ranks call this together.
   ///
-  /// \returns the paths of this rank's targets that have come to their ends or got lost.
-  std::vector<GatheredPath> handOver();
+  /// \returns the paths of this rank's targets that have come to their ends or, without points, got
+  ///          lost.
+  std::vector<PathToSource> handOver();
 
 private:
   /// A point of a path, and a face that holds it and the point before.
@@ -79,7 +80,7 @@ private:
   void putInTransit(const InTransit& transit, Message& message) const;
   InTransit getInTransit(MessageReader& reader) const;
   void putReport(const InTransit& transit, Message& message);
-  void takeReport(MessageReader& reader, std::vector<GatheredPath>& arrived);
+  void takeReport(MessageReader& reader, std::vector<PathToSource>& arrived);
 
   const DistanceField& field_;
   const MeshPartition& part_;
