@@ -48,14 +48,8 @@ public:
   void run()
   {
     this->traceOwn();
-    while (this->onRanks_.isAnyOnItsWay())
-    {
-      this->job_.reach(TracingDone);
-      for (const PathToSource& path : this->onRanks_.handOver())
-      {
-        path.points.empty() ? this->lost_.push_back(path.target) : this->take_(path);
-      }
-    }
+    this->onRanks_.follow([this](const PathToSource& path)
+      { path.points.empty() ? this->lost_.push_back(path.target) : this->take_(path); });
     std::sort(this->lost_.begin(), this->lost_.end());
   }
 
