@@ -59,6 +59,7 @@ EndCase inPlane(PlainMesh mesh, std::vector<Polyline> sources, std::vector<MeshP
     std::vector<TrueEnd> ends = plane.of(position(plain, query), frames);
     return ends.front().length < shortPath ? std::vector<TrueEnd>() : ends;
   };
+  c.isPlane = true;
   return c;
 }
 
@@ -327,6 +328,52 @@ EndCase aCylinder(Random&, double source)
   return c;
 }
 
+/// A line up the cylinder, or a ring around it.
+EndCase aCurveOnACylinder(Random&, double isRing)
+{
+  constexpr Index sides = 12;
+  EndCase c{ openCylinder(sides, 9, 10.0), {}, {}, {} };
+  std::vector<Index> vertices;
+  for (Index i = 0; i <= (isRing > 0.0 ? sides : 4); ++i)
+  {
+    vertices.push_back(isRing > 0.0 ? 5 * sides + i % sides : (3 + i) * sides + 7);
+  }
+  c.sources = { lineAlong(c.mesh, vertices) };
+  c.queries = manyPoints(c.mesh, 0, *std::make_unique<Random>(0));
+  c.endsOf = [plain = c.mesh, vertices, isRing](
+               const MeshPoint& query, const std::vector<PlainFrame>& frames)
+  {
+    const auto k = std::max_element(query.weights.begin(), query.weights.end());
+    const Index to =
+      plain.triangles[query.face][static_cast<std::size_t>(k - query.weights.begin())];
+    const Vec3& first = plain.points[vertices.front()];
+    const Vec3& last = plain.points[vertices.back()];
+    const bool isOutward = frames[0].normal[0] * first[0] + frames[0].normal[1] * first[1] > 0.0;
+    // Unrolled, seen from the side that the frame is on.
+    const double up = plain.points[to][2];
+    const double from = isRing > 0.0 ? 0.0 : 7.0;
+    double turn = double(to % sides) - from;
+    turn = isRing > 0.0 ? turn : std::remainder(turn, double(sides));
+    const PlaneEnds plane(
+      { isRing > 0.0 ? std::vector<Vec3>{ { -1.0, first[2], 0.0 }, { 13.0, first[2], 0.0 } }
+                     : std::vector<Vec3>{ { 0.0, first[2], 0.0 }, { 0.0, last[2], 0.0 } } });
+    std::vector<TrueEnd> ends =
+      plane.of({ turn, up, 0.0 }, { { {}, {}, { 0.0, 0.0, isOutward ? 1.0 : -1.0 } } });
+    if (ends.front().length < ShortPath || std::abs(turn) > (isRing > 0.0 ? 12.0 : 5.5))
+    {
+      return std::vector<TrueEnd>();
+    }
+    if (isRing > 0.0)
+    {
+      ends.front().arcLength = turn;
+      ends.push_back(ends.front());
+      ends.back().arcLength += turn > 0.0 ? 0.0 : sides; // its first point is its last
+    }
+    return ends;
+  };
+  return c;
+}
+
 /// Around the apex of a cone, or a saddle, the total angle is 2 pi.
 EndCase anApex(Random& random, double angle)
 {
@@ -525,6 +572,7 @@ const std::vector<EndConfiguration>& endConfigurations()
     { "SegmentThatPointsBesideAVertex", segmentThatPointsBesideAVertex,
       { 1e-13, 2e-13, 4e-13, 1e-12 }, 200 },
     { "Cylinder", aCylinder, { 3 + 4 * 12, 7 + 5 * 12, 2 }, 1, true },
+    { "CurvesOnACylinder", aCurveOnACylinder, { 0.0, 1.0 }, 1, true },
     { "ApexOfAConeOrASaddle", anApex, { 0.3, 0.7, 0.9, 1.3 }, 1, true },
     { "PoleOfASphere", aPole, { 8, 32 } },
     { "PointBesideAnApex", besideAnApex, besideForDevelopments, ten, true },

@@ -29,8 +29,8 @@ struct EndCase
   double accuracyOfPath = 1e-11;
   /// The least angle of a path.
   double leastAngle = -3.1415926535897936;
-  /// Whether the truth has arc lengths and, in `isInside`, sides.
-  bool hasArcLengths = true;
+  /// Whether all of it lies in a plane, so that the truth has the places of ends.
+  bool isPlane = false;
 };
 
 /// A row of the table of cases.

@@ -170,7 +170,8 @@ void PlaneEnds::addStraight(Index source, const Vec3& place, const PlainFrame& f
   double before = 0.0;
   if (line.size() == 1 && spaceDistance(place, line[0]) <= longest)
   {
-    ends.push_back({ source, 0.0, 0.0, angleIn(frame, minus(place, line[0])) });
+    ends.push_back(
+      { source, 0.0, 0.0, angleIn(frame, minus(place, line[0])), 0.0, false, line[0] });
   }
   for (std::size_t i = 0; i + 1 < line.size(); ++i)
   {
@@ -182,11 +183,15 @@ void PlaneEnds::addStraight(Index source, const Vec3& place, const PlainFrame& f
       const Vec3 along = minus(line[i + 1], line[i]);
       const bool isAtBegin = foot.along <= SameLength;
       const bool isAtEnd = foot.length - foot.along <= SameLength;
-      const auto add = [&](double angle) {
-        ends.push_back({ source, 0.0, before + foot.along, angle, 0.0, !isAtBegin && !isAtEnd });
+      const auto add = [&](double angle)
+      {
+        ends.push_back(
+          { source, 0.0, before + foot.along, angle, 0.0, !isAtBegin && !isAtEnd, foot.place });
       };
-      // A ray at a right angle to a segment's end is the segment's or the point's.
-      if (std::abs(dotProduct(along, away)) <= SameLength * foot.length * length)
+      // A ray at a right angle to a segment's end is the segment's or the point's. Without length
+      // it has no direction.
+      if (length <= SameLength ||
+        std::abs(dotProduct(along, away)) <= SameLength * foot.length * length)
       {
         const double side = dotProduct(crossProduct(along, away), frame.normal);
         add(std::copysign(0.5 * Pi, side));

@@ -4,6 +4,7 @@
 
 #include "truth/RandomCurves.h"
 
+#include <utility>
 #include <vector>
 
 namespace geodesictest
@@ -36,6 +37,8 @@ struct TrueEnd
   double slack = 0.0;
   /// Whether the path leaves a segment between the segment's ends.
   bool isInside = false;
+  /// Where it ends; only in a plane.
+  Vec3 place = {};
 };
 
 /// Where shortest paths on a convex mesh in a plane end: paths are straight.
@@ -45,6 +48,11 @@ public:
   /// \param bends whether paths may bend at a vertex where they are as long as the straight one up
   ///        to a tie. Then their directions carry the rounding of both places.
   PlaneEnds(const PlainMesh& mesh, const std::vector<Polyline>& sources, bool bends = false);
+  /// \param lines a single point is a point.
+  explicit PlaneEnds(std::vector<std::vector<Vec3>> lines)
+    : lines_(std::move(lines))
+  {
+  }
 
   /// All ends that a shortest path from the place may have: several where paths tie.
   ///
