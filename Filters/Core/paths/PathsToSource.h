@@ -74,10 +74,9 @@ PathEnd endAt(
 ///
 /// One front goes from the source until the targets of all ranks are settled; it keeps windows only
 /// around the targets. Each rank then traces the paths of its targets backwards through the faces
-/// that it owns, by the directions in which paths came to vertices (followPath()). A path that
-/// comes to another rank's face is handed over, and the target's rank is sent the points found so
-/// far. Where a path runs so close to vertices that rounding leads it astray, pathInStrip() finds
-/// it again.
+/// that it owns, by the directions in which paths came to vertices (followPath()). If a path comes
+/// to another rank's face, that rank is asked for the next part (PathsOnRanks). Where a path runs
+/// so close to vertices that rounding leads it astray, pathInStrip() finds it again.
 ///
 /// All ranks call this together.
 ///
