@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Faces without area: distances are those of the surface without them, outputs keep the input's
-// cells, and refined seams of blocks beside them fit.
+// cells, and refined neighbors and seams of blocks beside them fit.
 // GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
+#include "BarrierTesting.h"
 #include "RandomBarriers.h"
 #include "Seeds.h"
 
@@ -93,11 +94,6 @@ void CheckUnrefinedCells(Check& check)
     "unrefined: the cells are the input's own");
 }
 
-/// A square with a point on its diagonal, which only the upper half has, and a flat cell between.
-/// In blocks the halves are apart, and the flat cell is the upper one's.
-const std::vector<Point> Corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
-  { 0.25, 0.25, 0 } };
-
 void CheckRefined(
   Check& check, const std::vector<vtkSmartPointer<vtkPolyData>>& blocks, const std::string& name)
 {
@@ -150,14 +146,26 @@ void CheckRefined(
   check.That(blocks.size() == 1 || onDiagonal[0] == onDiagonal[1], name + ": both sides fit");
 }
 
+/// A square with a point on its diagonal, or a second point at its corner, which only the upper
+/// half has, and a flat cell between. In blocks the halves are apart, and the flat cell is the
+/// upper one's.
 void CheckRefinedSurfaces(Check& check)
 {
-  CheckRefined(check, { Surface(Corners, { { 0, 1, 2 }, { 0, 2, 4 }, { 0, 4, 3 }, { 4, 2, 3 } }) },
-    "one block");
-  CheckRefined(check,
-    { Surface(Corners, { { 0, 1, 2 } }),
-      Surface(Corners, { { 0, 2, 4 }, { 0, 4, 3 }, { 4, 2, 3 } }) },
-    "two blocks");
+  using Triangles = std::vector<std::array<vtkIdType, 3>>;
+  const std::tuple<std::string, Point, Triangles> uppers[] = {
+    { "a cap", { 0.25, 0.25, 0 }, { { 0, 2, 4 }, { 0, 4, 3 }, { 4, 2, 3 } } },
+    { "a needle", { 1, 1 + 3e-16, 0 }, { { 0, 2, 4 }, { 0, 4, 3 } } },
+  };
+  for (const auto& [name, point, upper] : uppers)
+  {
+    const std::vector<Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, point };
+    const Triangles lower = { { 0, 1, 2 } };
+    Triangles both = lower;
+    both.insert(both.end(), upper.begin(), upper.end());
+    CheckRefined(check, { Surface(points, both) }, name + " in one block");
+    CheckRefined(
+      check, { Surface(points, lower), Surface(points, upper) }, name + " in one of two blocks");
+  }
 }
 
 /// Compares the distances at a block's points with the truth, by brute force on the surface without
@@ -233,6 +241,115 @@ void CheckRandomSurfaces(Check& check)
   }
 }
 
+/// The total length of the edges with one triangle, with two, with three and so on. Points at one
+/// place are one.
+std::map<int, double> EdgeLengths(const std::vector<std::vector<Point>>& triangles)
+{
+  constexpr double within = 1e-6;
+  std::map<std::pair<Point, Point>, int> count;
+  for (std::vector<Point> corners : triangles)
+  {
+    for (Point& p : corners)
+    {
+      p = { std::round(p[0] / within), std::round(p[1] / within), std::round(p[2] / within) };
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      ++count[std::minmax(corners[k], corners[(k + 1) % 3])];
+    }
+  }
+  std::map<int, double> lengths;
+  for (const auto& [edge, number] : count)
+  {
+    lengths[number] +=
+      within * std::sqrt(vtkMath::Distance2BetweenPoints(edge.first.data(), edge.second.data()));
+  }
+  return lengths;
+}
+
+/// After refinement parts cover their cells, and neighbors fit: there is as much boundary, for
+/// example, as without faces that have no area. If such a face is a barrier, its neighbors are not
+/// cut at its corners.
+void CheckRefinedRandomSurface(Check& check, const geodesictest::MeshKind& kind, std::uint64_t seed)
+{
+  RandomCase one(kind, seed, true);
+  one.filter->SetRefinementTolerance(0.01);
+  if (TouchesItself(one.made.whole, 1e-6) || !one.CanRun(check))
+  {
+    return;
+  }
+  const auto partsOf = [](vtkDataObject* data)
+  {
+    auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data);
+    std::vector<vtkPolyData*> parts;
+    for (unsigned int i = 0; i < (blocks ? blocks->GetNumberOfBlocks() : 1); ++i)
+    {
+      parts.push_back(vtkPolyData::SafeDownCast(blocks ? blocks->GetBlock(i) : data));
+    }
+    return parts;
+  };
+  const std::vector<vtkPolyData*> inputs = partsOf(one.filter->GetInputDataObject(0, 0));
+  const std::vector<vtkPolyData*> outputs = partsOf(one.filter->GetOutputDataObject(0));
+  std::vector<std::vector<Point>> refined;
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    if (inputs[i]->GetNumberOfCells() > 0)
+    {
+      check.That(AreaError(inputs[i], outputs[i]) < 1e-9, one.name + ": parts cover their cells");
+    }
+    vtkDataArray* originals = outputs[i]->GetCellData()->GetArray("OriginalCellIds");
+    vtkDataArray* barriers = outputs[i]->GetCellData()->GetArray("barrier");
+    for (vtkIdType cell = 0; cell < outputs[i]->GetNumberOfCells(); ++cell)
+    {
+      const bool isFlat =
+        AreaOf(inputs[i], static_cast<vtkIdType>(originals->GetTuple1(cell))) < 1e-9;
+      if (isFlat && barriers->GetTuple1(cell) != 0.0)
+      {
+        return;
+      }
+      if (!isFlat)
+      {
+        refined.push_back(CornersOf(outputs[i], cell));
+      }
+    }
+  }
+  std::vector<std::vector<Point>> whole;
+  for (const auto& [a, b, c] : one.made.whole.triangles)
+  {
+    const std::vector<Point>& points = one.made.whole.points;
+    whole.push_back({ points[a], points[b], points[c] });
+  }
+  std::map<int, double> lengths = EdgeLengths(whole);
+  double total = 0.0;
+  for (const auto& [number, length] : EdgeLengths(whole))
+  {
+    total += length;
+  }
+  for (const auto& [number, length] : EdgeLengths(refined))
+  {
+    lengths[number] -= length;
+  }
+  // Parts of two faces on the same vertices have edges of four inside.
+  for (const auto& [number, difference] : lengths)
+  {
+    check.That(number % 2 == 0 || std::abs(difference) < 1e-4 * total,
+      one.name + ": neighbors do not fit at edges of " + std::to_string(number) + ", by " +
+        std::to_string(difference / total));
+  }
+}
+
+void CheckRefinedRandomSurfaces(Check& check)
+{
+  const geodesictest::Seeds seeds = geodesictest::seedsOfTest(4);
+  for (const geodesictest::MeshKind& kind : geodesictest::meshKinds())
+  {
+    for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+    {
+      CheckRefinedRandomSurface(check, kind, seed);
+    }
+  }
+}
+
 } // anonymous namespace
 
 int TestGeodesicFlatFaces(int, char*[])
@@ -242,5 +359,6 @@ int TestGeodesicFlatFaces(int, char*[])
   CheckUnrefinedCells(check);
   CheckRefinedSurfaces(check);
   CheckRandomSurfaces(check);
+  CheckRefinedRandomSurfaces(check);
   return check.Result();
 }
