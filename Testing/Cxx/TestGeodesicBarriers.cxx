@@ -320,6 +320,63 @@ void CheckGhosts(Check& check)
     "barriers with ghosts and without");
 }
 
+/// A turned duplicate of a face has the face's parts, and looks where it did before. It stays whole
+/// if there would be too many cells; copies by ghost arrays are none of these, and look like their
+/// originals all the same.
+void CheckDuplicates(Check& check)
+{
+  const double seam = 0.5625; // through the wall
+  const auto isBefore = [seam](const Point& p) { return p[0] < seam; };
+  const auto isAfter = [seam](const Point& p) { return p[0] > seam; };
+  const auto left = Part(Square(16), [](const Point& p) { return p[0] < 0.6875; });
+  const auto right = Part(Square(16), [](const Point& p) { return p[0] > 0.4375; });
+  const vtkIdType duplicate = left->GetNumberOfCells();
+  vtkNew<vtkIdList> ids;
+  left->GetCellPoints(0, ids);
+  left->GetPolys()->InsertNextCell({ ids->GetId(1), ids->GetId(0), ids->GetId(2) });
+  left->DeleteCells(); // which GetCellPoints() has made
+  const auto surface = Blocks({ WithGhosts(WithBarriers(left, IsInWall), isAfter),
+    WithGhosts(WithBarriers(right, IsInWall), isBefore) });
+  vtkIdType most = 0; // of the cells that are not copies; 0: no limit
+  vtkIdType parts = 0;
+  for (const char* what : { "no limit", "as many as wanted", "one too few" })
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetMaximumNumberOfCells(most - (what[0] == 'o' ? 1 : 0));
+    RunWithBarriers(check, filter, surface, PointSources({ { 0, 0, 0 } }), what);
+    check.That(
+      TrianglesIn(Block(filter, 1), 0.4375, seam) == TrianglesIn(Block(filter, 0), 0.4375, seam) &&
+        TrianglesIn(Block(filter, 0), seam, 0.6875) == TrianglesIn(Block(filter, 1), seam, 0.6875),
+      std::string(what) + ": copies look like their originals");
+    vtkPolyData* output = Block(filter, 0);
+    vtkDataArray* originals = output->GetCellData()->GetArray("OriginalCellIds");
+    std::map<vtkIdType, vtkIdType> count;
+    for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+    {
+      const auto original = static_cast<vtkIdType>(originals->GetTuple1(cell));
+      ++count[original];
+      const std::vector<Point> p = CornersOf(output, cell);
+      const double turn =
+        (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
+      check.That((turn > 0.0) == (original != duplicate), "the side of a cell");
+    }
+    const vtkIdType cells =
+      CountBarrierParts(output, isBefore) + CountBarrierParts(Block(filter, 1), isAfter);
+    if (most == 0)
+    {
+      most = cells;
+      parts = count[duplicate];
+      check.That(parts > 1, "the duplicate is refined");
+    }
+    const vtkIdType expected = what[0] == 'o' ? 1 : parts;
+    check.Equal(static_cast<double>(count[0]), static_cast<double>(parts), "the face's parts");
+    check.Equal(static_cast<double>(count[duplicate]), static_cast<double>(expected),
+      "the duplicate's parts");
+    check.Equal(static_cast<double>(cells), static_cast<double>(most - parts + expected),
+      std::string(what) + ": cells that are no copies");
+  }
+}
+
 /// The boundary is that of the whole; what barriers have of it is left out.
 void CheckBoundary(Check& check)
 {
@@ -579,6 +636,7 @@ const std::map<std::string, void (*)(Check&)> Checks = {
   { "Arrays", CheckArrays },
   { "Blocks", CheckBlocks },
   { "Ghosts", CheckGhosts },
+  { "Duplicates", CheckDuplicates },
   { "Boundary", CheckBoundary },
   { "CurveIsJoinedAround", CheckCurveIsJoinedAround },
   { "Cap", CheckCap },

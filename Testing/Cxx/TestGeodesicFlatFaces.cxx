@@ -165,6 +165,19 @@ void CheckRefinedSurfaces(Check& check)
     CheckRefined(check, { Surface(points, both) }, name + " in one block");
     CheckRefined(
       check, { Surface(points, lower), Surface(points, upper) }, name + " in one of two blocks");
+    for (const vtkIdType most : { 40, 50, 60, 70 })
+    {
+      vtkNew<vtkGeodesicDistanceField> filter;
+      filter->SetInputData(Surface(points, both));
+      filter->SetSourceData(PointSources({ { 0.7, 0.2, 0 } }));
+      filter->SetRefinementTolerance(1e-5);
+      filter->SetMaximumNumberOfCells(most);
+      Messages messages(filter);
+      messages.Update();
+      const vtkIdType cells = filter->GetOutput()->GetNumberOfCells();
+      check.That(cells <= most && cells > most / 2,
+        name + " counts as cells: " + std::to_string(cells) + " of " + std::to_string(most));
+    }
   }
 }
 
