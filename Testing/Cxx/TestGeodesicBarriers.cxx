@@ -282,14 +282,17 @@ void CheckBlocks(Check& check)
 
 /// Copies by ghost arrays of what is a barrier look like it; whether they are marked does not
 /// matter.
-void CheckGhosts(Check& check)
+void CheckGhostsWithin(Check& check, vtkIdType most)
 {
   const double seam = 0.5625; // through the wall
   const auto isBefore = [](const Point& p) { return p[0] < 0.5625; };
   const auto isAfter = [](const Point& p) { return p[0] > 0.5625; };
   const auto none = [](const Point&) { return false; };
   const auto execute = [&](vtkGeodesicDistanceField* filter, vtkDataObject* surface)
-  { RunWithBarriers(check, filter, surface, PointSources({ Source }), "ghosts"); };
+  {
+    filter->SetMaximumNumberOfCells(most);
+    RunWithBarriers(check, filter, surface, PointSources({ Source, { 0.7, 0.4, 0 } }), "ghosts");
+  };
   vtkNew<vtkGeodesicDistanceField> plain;
   execute(plain,
     Blocks({ WithBarriers(Part(Square(16), isBefore), IsInWall),
@@ -318,6 +321,15 @@ void CheckGhosts(Check& check)
   check.That(trianglesOf(same, 0, 0.0, seam) == trianglesOf(plain, 0, 0.0, seam) &&
       trianglesOf(same, 1, seam, 1.0) == trianglesOf(plain, 1, seam, 1.0),
     "barriers with ghosts and without");
+}
+
+/// With and without a limit, for which copies do not count.
+void CheckGhosts(Check& check)
+{
+  for (const vtkIdType most : { 0, 660, 800 })
+  {
+    CheckGhostsWithin(check, most);
+  }
 }
 
 /// A turned duplicate of a face has the face's parts, and looks where it did before. It stays whole
