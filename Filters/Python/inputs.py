@@ -105,23 +105,61 @@ def point_indices(where, count, name):
     return checked(np.atleast_1d(where), count, name)
 
 
-def index_pairs(pairs, count):
-    """Pairs of indices of points of a surface that has so many."""
+def index_pairs(pairs, counts):
+    """Pairs of indices of points. counts: for the first index and for the second one whose they are, and how many."""
     pairs = _array(pairs, "pairs")
     if pairs.size == 0:
         return np.empty((0, 2), np.int64)
     if pairs.ndim != 2 or pairs.shape[1] != 2 or not np.issubdtype(pairs.dtype, np.integer):
         raise GeodesicError(f"pairs has the shape {pairs.shape} and holds {pairs.dtype}: it has rows of two indices of "
                             "points.")
-    return checked(pairs, count, "pairs")
+    return np.column_stack([checked(column, count, "pairs", owner) for column, (owner, count) in zip(pairs.T, counts)])
 
 
-def checked(ids, count, name):
-    """Indices of points of a surface that has so many."""
+def checked(ids, count, name, owner="the surface"):
+    """Indices of points of an owner that has so many."""
     if ids.size and (ids.min() < 0 or ids.max() >= count):
         wrong = ids.max() if ids.max() >= count else ids.min()
-        raise GeodesicError(f"{name}: the surface has {count} points, with indices from 0; there is no {wrong}.")
+        raise GeodesicError(f"{name}: {owner} has {count} points, with indices from 0; there is no {wrong}.")
     return ids.astype(np.int64)
+
+
+class Places:
+    """Single points, each given by its index in the surface or by its position.
+
+    ids: the index of each point, -1 where it is given by its position. positions: of all, 0 where they have an index.
+    """
+
+    def __init__(self, ids, positions):
+        self.ids, self.positions = ids, positions
+
+    @classmethod
+    def of_indices(cls, ids):
+        return cls(ids, np.zeros((len(ids), 3)))
+
+    @classmethod
+    def of_positions(cls, positions, name):
+        positions = points_of(point_set(positions, name))
+        return cls(np.full(len(positions), -1), positions)
+
+    @classmethod
+    def each_once(cls, *several):
+        """All places of several, each once, and a column for each of the several with the numbers of its places."""
+        rows = [np.column_stack((places.ids, places.positions)) for places in several]
+        rows, numbers = np.unique(np.concatenate(rows), axis=0, return_inverse=True)
+        return cls(rows[:, 0].astype(np.int64), rows[:, 1:]), numbers.reshape(len(several), -1).T
+
+    def __len__(self):
+        return len(self.ids)
+
+    def __getitem__(self, numbers):
+        return Places(self.ids[numbers], self.positions[numbers])
+
+    def data_set(self, data):
+        """The places, of which all or none have an index, as points of a data set. data: the surface's."""
+        if self.ids[0] < 0:
+            return point_set(self.positions, "pairs")
+        return indexed_points(self.ids, data)
 
 
 def indexed_points(ids, data):

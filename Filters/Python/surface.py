@@ -146,16 +146,21 @@ class Surface:
                source_ids=None):
         """The distances of each target (row) to each part of the source (column), each alone.
 
-        Targets are given as a source is; without them they are the points of the source. Instead of both, pairs takes
-        rows of two indices of points, k x 2, and gives one distance a row, without the whole table: it measures from
-        as few points as will do, once from each, no farther than to its partners.
+        Targets are given as a source is; without them they are the points of the source. pairs takes rows of two
+        indices, k x 2, and gives one distance a row, without the whole table: it measures from as few points as will
+        do, once from each, no farther than to its partners. The first index of a row is that of a point of the source,
+        the second that of a target, both given by positions or by indices; without source and targets, both are
+        indices of points of the surface.
         """
         if pairs is None:
             return self._table(source, targets, maximum_distance=maximum_distance, boundary=boundary,
                                join_lines=join_lines, source_ids=source_ids)
-        if source is not None or targets is not None or boundary or source_ids is not None:
-            raise GeodesicError("pairs has the indices of both points: give no source and no targets with it.")
-        return self._distances_of_pairs(pairs, maximum_distance=maximum_distance)
+        if (source is None) != (targets is None):
+            raise GeodesicError("pairs has indices of points of the source and of targets: give both, or neither for "
+                                "points of the surface.")
+        if boundary or source_ids is not None:
+            raise GeodesicError("pairs are of single points: give no boundary and no source_ids with it.")
+        return self._distances_of_pairs(pairs, source, targets, maximum_distance=maximum_distance)
 
     def _solve(self, accuracy, relative_error, **given):
         """The output of the field's filter."""
@@ -179,20 +184,40 @@ class Surface:
         table = table if rows.any() else table[:0]
         return _with_infinite(_with_infinite(table, rows, axis=0), columns, axis=1)
 
-    def _distances_of_pairs(self, pairs, **given):
+    def _distances_of_pairs(self, pairs, source, targets, **given):
         """The distance of the two points of each row."""
-        pairs = inputs.index_pairs(pairs, self._number_of_points())
-        of_faces = self._are_of_faces(pairs).all(axis=1)
+        places, pairs = self._places_of_pairs(pairs, source, targets)
+        is_index = places.ids >= 0
+        are_of_faces = np.ones(len(places), bool)
+        are_of_faces[is_index] = self._are_of_faces(places.ids[is_index])
+        of_faces = are_of_faces[pairs].all(axis=1)
         _warn_of_unreached(of_faces, "pairs")
         rows = np.flatnonzero(of_faces)
-        sources, targets = _few_sources(pairs[rows])
-        order = np.argsort(sources, kind="stable")
+        starts, ends = _few_sources(pairs[rows])
+        order = np.argsort(starts, kind="stable")
         result = np.full(len(pairs), np.inf)
-        for group in np.split(order, np.flatnonzero(np.diff(sources[order])) + 1):
+        for group in np.split(order, np.flatnonzero(np.diff(starts[order])) + 1):
             if len(group):
-                ends = (inputs.indexed_points(ids, self._data) for ids in (sources[group[:1]], targets[group]))
-                result[rows[group]] = _columns(self._run(vtkGeodesicDistanceMatrix, *ends, **given))[:, 0]
+                both = (places[numbers].data_set(self._data) for numbers in (starts[group[:1]], ends[group]))
+                result[rows[group]] = _columns(self._run(vtkGeodesicDistanceMatrix, *both, **given))[:, 0]
         return result
+
+    def _places_of_pairs(self, pairs, source, targets):
+        """The places in pairs, each once, and the pairs as their numbers."""
+        if source is None:
+            pairs = inputs.index_pairs(pairs, [("the surface", self._number_of_points())] * 2)
+            return inputs.Places.each_once(*map(inputs.Places.of_indices, pairs.T))
+        sides = self._single_points(source, "The source"), self._single_points(targets, "The set of targets")
+        pairs = inputs.index_pairs(pairs, list(zip(("the source", "the set of targets"), map(len, sides))))
+        return inputs.Places.each_once(*(side[column] for side, column in zip(sides, pairs.T)))
+
+    def _single_points(self, where, name):
+        where = inputs.unwrapped(where)
+        if isinstance(where, vtkDataObject):
+            raise GeodesicError(f"{name}: pairs index positions or indices of points. Give the points of a data set, "
+                                "such as mesh.points of PyVista.")
+        ids = inputs.point_indices(where, self._number_of_points(), name)
+        return inputs.Places.of_positions(where, name) if ids is None else inputs.Places.of_indices(ids)
 
     def _run(self, kind, source, targets=None, *, distances=(), boundary=False, source_ids=None, **properties):
         """The output of a filter of a kind, which is kept. targets: None or a data set."""

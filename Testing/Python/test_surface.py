@@ -303,6 +303,37 @@ class Pairs(unittest.TestCase):
             self.assertEqual(given.shape, (rows,))
             np.testing.assert_allclose(given, table[chosen[:, 1], chosen[:, 0]], atol=EXACT)
 
+    def test_of_positions_and_indices_have_the_distances_of_the_whole_table(self):
+        random = np.random.default_rng(53)
+        points, faces = sheet(12)
+        points = points + random.uniform(-0.02, 0.02, points.shape)
+        positions = [random.uniform((0, 0, 0), (1, 1, 0), (count, 3)) for count in (7, 9)]
+        indices = [random.choice(len(points), count, replace=False) for count in (7, 9)]
+        kept = Surface((points, faces))
+        for source in positions[0], indices[0]:
+            for targets in positions[1], indices[1]:
+                table = kept.matrix(source, targets)
+                for rows in (60, 5, 1):
+                    chosen = np.column_stack((random.integers(0, 7, rows), random.integers(0, 9, rows)))
+                    given = kept.matrix(source, targets, pairs=chosen)
+                    np.testing.assert_allclose(given, table[chosen[:, 1], chosen[:, 0]], atol=EXACT)
+
+    def test_index_the_source_first_and_then_the_targets(self):
+        ends = np.array([(0.1, 0.2, 0), (0.6, 0.2, 0)]), np.array([(0.1, 0.9, 0), (0.1, 0.5, 0), (0.9, 0.6, 0)])
+        np.testing.assert_allclose(matrix(sheet(), *ends, pairs=[(0, 1), (1, 2), (0, 0)]), [0.3, 0.5, 0.7], atol=EXACT)
+        mask = np.zeros(81, bool)
+        mask[[0, 8]] = True
+        np.testing.assert_allclose(matrix(sheet(), mask, 80, pairs=[(1, 0), (0, 0)]), [1, 2**0.5], atol=EXACT)
+        self.assertEqual(matrix(sheet(), *ends, pairs=[]).shape, (0,))
+        np.testing.assert_array_equal(matrix(sheet(), *ends, pairs=[(0, 1), (0, 0)], maximum_distance=0.5) < np.inf,
+                                      [True, False])
+
+    def test_of_indices_tell_points_at_one_place_apart(self):
+        points, faces = sheet()
+        two = np.concatenate((points, points)), np.concatenate((faces, np.array(faces) + len(points)))
+        given = matrix(two, [0, 81], [8, 89], pairs=[(0, 0), (0, 1), (1, 1)], merge_coincident_points=False)
+        np.testing.assert_allclose(given, [1, np.inf, 1], atol=EXACT)
+
     def test_are_measured_from_as_few_points_as_will_do(self):
         kept = Surface(sheet())
         ids = range(80)
@@ -315,6 +346,11 @@ class Pairs(unittest.TestCase):
             solves.clear()
             kept.matrix(pairs=pairs)
             self.assertEqual(len(solves), number)
+        places = np.random.default_rng(1).uniform((0, 0, 0), (1, 1, 0), (80, 3))
+        for sides in ((places, places[:1]), (places[:1], places), (places, places[[5] * 80])):
+            solves.clear()
+            kept.matrix(*sides, pairs=[(i % len(sides[0]), i % len(sides[1])) for i in ids])
+            self.assertEqual(len(solves), 1)
 
     def test_stop_at_a_maximum_and_where_there_is_no_path(self):
         points, faces = sheet()
@@ -327,8 +363,15 @@ class Pairs(unittest.TestCase):
         for arguments, message in (({"pairs": [(0, 81)]}, "there is no 81"), ({"pairs": [(0, -1)]}, "there is no -1"),
                                    ({"pairs": [0, 1]}, "two indices"), ({"pairs": [(0, 1, 2)]}, "two indices"),
                                    ({"pairs": [(0.0, 1.0)]}, "two indices"), ({"pairs": {(0, 1)}}, "given as a set"),
-                                   ({"source": 0, "pairs": [(0, 1)]}, "no source and no targets"),
-                                   ({"targets": 0, "pairs": [(0, 1)]}, "no source and no targets")):
+                                   ({"source": 0, "pairs": [(0, 1)]}, "give both, or neither"),
+                                   ({"targets": 0, "pairs": [(0, 1)]}, "give both, or neither"),
+                                   ({"pairs": [(0, 1)], "boundary": True}, "no boundary"),
+                                   ({"pairs": [(0, 1)], "source_ids": [1]}, "no boundary and no source_ids"),
+                                   ({"source": [3, 4], "targets": 0, "pairs": [(2, 0)]}, "source has 2 .* no 2"),
+                                   ({"source": [3, 4], "targets": 0, "pairs": [(1, 1)]}, "targets has 1 .* no 1"),
+                                   ({"source": [3, 4], "targets": 0, "pairs": [(-1, 0)]}, "there is no -1"),
+                                   ({"source": LINE, "targets": 0, "pairs": [(0, 0)]}, "mesh.points of PyVista"),
+                                   ({"source": 0, "targets": [(0., 0)], "pairs": [(0, 0)]}, r"\(number, 3\)")):
             with self.subTest(message=message), self.assertRaisesRegex(GeodesicError, message):
                 matrix(sheet(), **arguments)
 
@@ -355,6 +398,11 @@ class UnusedPoints(unittest.TestCase):
         with self.assertWarns(UserWarning):
             table = matrix(self.surface, [0, 81, 82])
         np.testing.assert_allclose(table, [[0, np.inf, 1], [np.inf] * 3, [1, np.inf, 0]], atol=EXACT)
+
+    def test_are_infinitely_far_in_pairs_of_a_source_and_targets(self):
+        with self.assertWarnsRegex(UserWarning, r"^1 of 3 pairs not reached, .*: number 1\.$"):
+            given = matrix(self.surface, [0, 81], [(1., 0, 0), (0, 0, 0)], pairs=[(0, 0), (1, 0), (0, 1)])
+        np.testing.assert_allclose(given, [1, np.inf, 0], atol=EXACT)
 
     def test_are_infinitely_far_in_pairs(self):
         with self.assertWarnsRegex(UserWarning, r"^2 of 4 pairs not reached, .*: number 1, 3\.$"):
