@@ -162,6 +162,55 @@ class Surface:
             raise GeodesicError("pairs are of single points: give no boundary and no source_ids with it.")
         return self._distances_of_pairs(pairs, source, targets, maximum_distance=maximum_distance)
 
+    @_one_at_a_time
+    def farthest_points(self, count, start=0):
+        """Points spread evenly: the indices of so many, and the distance of each to the nearest of those before it.
+
+        The first one is start, an index (or several, as one in each component); each next one is the point of the
+        surface that is farthest from all before it, the one of lowest index if several are. So every point is within
+        the last distance of the points before the last one. The first distance is infinite. Points to which no path
+        leads from the start are left out.
+        """
+        starts = inputs.point_indices(start, self._number_of_points(), "The start")
+        if starts is None:
+            raise GeodesicError("The start is an index of a point, or several.")
+        if count < len(starts):
+            raise GeodesicError(f"count is {count}, but the start alone has {len(starts)}: give a larger count.")
+        of_faces = self._are_of_faces(starts)
+        if not of_faces.all():
+            raise GeodesicError(f"Point {starts[~of_faces][0]} of the start belongs to no face of the surface.")
+        known = np.full(self._number_of_points(), np.inf)
+        ids, radii = [], []
+        for start in starts:
+            ids.append(start)
+            radii.append(known[start])
+            if len(ids) < count:
+                self._shorten(known, start)
+        if count > len(starts):
+            self._warn_of_parts_without(known)
+        while len(ids) < count:
+            ids.append(np.where(known < np.inf, known, -1).argmax())
+            radii.append(known[ids[-1]])
+            if not radii[-1] > 0:
+                raise GeodesicError(f"count is {count}, but there are only {len(ids) - 1} points at different places to "
+                                    "which a path leads from the start.")
+            if len(ids) < count:
+                # All points are within this distance of those before: the new point is nearest to none beyond it.
+                self._shorten(known, ids[-1], maximum_distance=radii[-1])
+        return np.array(ids, np.int64), np.array(radii)
+
+    def _shorten(self, known, point, **given):
+        """Shortens known distances where the point is nearer."""
+        output = self._solve(source=inputs.indexed_points(np.array([point], np.int64), self._data),
+                             **{**FIELD_DEFAULTS, **given})
+        np.minimum(known, arrays.point_array(output, "GeodesicDistance"), out=known)
+
+    def _warn_of_parts_without(self, known):
+        lost = self._used_points() & ~(known < np.inf)
+        if lost.any() and self._properties["barrier_array_name"] is None:
+            warn(f"{lost.sum()} points are left out, as no path leads to them from the start, such as point "
+                 f"{lost.argmax()}: give a start in each part of the surface.")
+
     def _solve(self, accuracy, relative_error, **given):
         """The output of the field's filter."""
         kind = vtkGeodesicDistanceField
@@ -293,7 +342,8 @@ class Surface:
 
 FIELD_DEFAULTS = {name: parameter.default for name, parameter in inspect.signature(Surface.field).parameters.items()
                   if parameter.kind == parameter.KEYWORD_ONLY}
-METHODS = (Surface.distance, Surface.field, Surface.contour, Surface.paths, Surface.matrix)
+METHODS = (Surface.distance, Surface.field, Surface.contour, Surface.paths, Surface.matrix,
+           Surface.farthest_points)
 # Properties of the filters, as their messages name them, and what they are called here.
 ARGUMENTS = {property_name(argument): argument for function in (Surface, *METHODS)
              for argument in inspect.signature(function).parameters if "_" in argument}

@@ -26,6 +26,8 @@ with tempfile.TemporaryDirectory() as folder:
         assert names["table"].shape == (2, 2)
         assert [list(distances) for distances in names["several"]][0] == list(names["distances"])
         assert all(map(math.isclose, names["single"], map(math.sqrt, (6, 2, 2))))
+        assert list(names["ids"]) == [0, 1, 2, 3]
+        assert all(map(math.isclose, names["radii"][1:], map(math.sqrt, (6, 2, 2))))
         assert all(map(math.isclose, names["along"][[0, 2, 1]], (0, math.sqrt(2), math.sqrt(8))))
     elif importlib.util.find_spec("pyvista"):
         exec(blocks[1], names)
