@@ -425,7 +425,9 @@ class SpreadPoints(unittest.TestCase):
         middles = points[np.array(faces)].mean(axis=1)
         walls = (np.abs(middles[:, 0] - 0.5) < 0.2) & (middles[:, 1] < 0.8)
         outside = np.unique(np.array(faces)[~walls])
-        ids, radii = farthest_points((points, faces), len(outside), barriers=walls)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            ids, radii = farthest_points((points, faces), len(outside), barriers=walls)
         self.assertEqual(set(ids), set(outside))
         self.assertGreater(radii[1], 1.5)
         self.assert_each_is_the_farthest_of_all_before((points, faces), ids[:12], radii[:12], barriers=walls)
