@@ -20,7 +20,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -146,17 +148,61 @@ struct RandomCase
 RandomCase randomCase(const MeshKind& kind, std::uint64_t seed, std::size_t numberOfQueries,
   Index mostFaces = std::numeric_limits<Index>::max());
 
-/// Calls test(Random&) for each seed of a test. Failures name the seed.
+/// The random numbers of each seed of a test, one seed after the other; failures name the seed.
 ///
-/// \param salt is added to the seeds, so that tests differ.
+///   for (Random& random : EachSeed(100)) { ... }
+class EachSeed
+{
+public:
+  /// \param salt is added to the seeds, so that tests differ.
+  explicit EachSeed(std::uint64_t count, std::uint64_t salt = 0)
+    : seeds_(seedsOfTest(count))
+    , salt_(salt)
+  {
+  }
+
+  class Iterator
+  {
+  public:
+    Iterator(std::uint64_t seed, const EachSeed& range)
+      : seed_(seed)
+      , range_(range)
+    {
+    }
+    Random& operator*()
+    {
+      this->trace_.emplace(__FILE__, __LINE__, "seed " + std::to_string(this->seed_));
+      this->random_ = Random(this->seed_ + this->range_.salt_);
+      return this->random_;
+    }
+    void operator++()
+    {
+      this->trace_.reset();
+      ++this->seed_;
+    }
+    bool operator!=(const Iterator& other) const { return this->seed_ != other.seed_; }
+
+  private:
+    std::uint64_t seed_;
+    const EachSeed& range_;
+    Random random_{ 0 };
+    std::optional<testing::ScopedTrace> trace_;
+  };
+
+  Iterator begin() const { return { this->seeds_.first, *this }; }
+  Iterator end() const { return { this->seeds_.end(), *this }; }
+
+private:
+  Seeds seeds_;
+  std::uint64_t salt_;
+};
+
+/// Calls test(Random&) for each seed of a test.
 template <typename Test>
 void forEachSeed(std::uint64_t count, std::uint64_t salt, const Test& test)
 {
-  const Seeds seeds = seedsOfTest(count);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(count, salt))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + salt);
     test(random);
   }
 }
