@@ -152,10 +152,7 @@ struct FieldSolver
       regions.emplace(solved.exactField(), *nearest, curves, this->request.arrays.areSidesNeeded());
     }
     RefinementOptions options = this->refinementOptions();
-    if (regions)
-    {
-      options.regionOf = [&regions](const SurfacePoint& point) { return regions->at(point); };
-    }
+    options.regions = regions ? &*regions : nullptr;
     solved.refined =
       addUnmeshedTriangles(this->surface, this->request.maximumCells, options.cornerPoints,
         solved.field->vertexDistances(), geodesic::refine(*solved.field, options));

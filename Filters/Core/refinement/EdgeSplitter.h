@@ -4,10 +4,9 @@
 
 #include "field/FaceDistance.h"
 #include "field/SegmentEnvelope.h"
-#include "refinement/CutEdges.h"
 #include "refinement/DistanceAlongEdge.h"
+#include "refinement/RefinedFaces.h"
 
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -38,16 +37,12 @@ struct EdgeCuts
 class EdgeSplitter
 {
 public:
-  /// All arguments must outlive this.
-  ///
-  /// \param isFrozen for each face, whether it is not refined.
-  EdgeSplitter(const DistanceField& field, const CutEdges& edges,
-    const std::vector<std::uint8_t>& isFrozen, double tolerance)
-    : field_(field)
-    , edges_(edges)
-    , isFrozen_(isFrozen)
+  /// \param faces must outlive this.
+  EdgeSplitter(const RefinedFaces& faces, double tolerance)
+    : faces_(faces)
+    , edges_(faces.edges)
     , tolerance_(tolerance)
-    , face_(field)
+    , face_(faces.field)
   {
   }
 
@@ -69,9 +64,8 @@ private:
   double distanceAtEnd(Id edge, Id end) const;
   Deviation deviation(Id edge, double from, double to, const std::array<double, 2>& ends);
 
-  const DistanceField& field_;
+  const RefinedFaces& faces_;
   const CutEdges& edges_;
-  const std::vector<std::uint8_t>& isFrozen_;
   double tolerance_;
   /// The last face, as neighbouring edges often ask for the same.
   FaceDistance face_;

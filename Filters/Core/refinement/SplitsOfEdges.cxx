@@ -62,30 +62,29 @@ void keepMostUrgent(std::vector<SplitRequest>& requests)
   requests.erase(std::unique(requests.begin(), requests.end(), isSamePiece), requests.end());
 }
 
-} // anonymous namespace
-
-std::vector<std::uint8_t> frozenOnAnyRank(
-  const MeshPartition& surface, const std::vector<std::uint8_t>& isFrozen)
+// For each face, not 0 if the rank that owns it does not refine it; empty in one process.
+std::vector<std::uint8_t> frozenOnAnyRank(const RefinedFaces& faces)
 {
-  std::vector<std::uint8_t> isFrozenThere = isFrozen;
+  const MeshPartition& surface = faces.field.surface();
   if (!surface.isDistributed())
   {
-    return isFrozenThere;
+    return {};
   }
   // Each rank tells those that have a copy of a frozen face: those that have one of its vertices.
-  std::fill(isFrozenThere.begin(), isFrozenThere.end(), std::uint8_t{ 0 });
+  std::vector<std::uint8_t> isFrozenThere(surface.mesh().numberOfFaces(), 0);
   std::vector<Message> messages = surface.exchange().noMessages();
   for (Id face = surface.firstOwnFace(); face < surface.endOfOwnFaces(); ++face)
   {
-    isFrozenThere[face] = isFrozen[face];
+    if (!faces.isFrozen(face))
+    {
+      continue;
+    }
+    isFrozenThere[face] = 1;
     for (const Id vertex : surface.mesh().triangle(face))
     {
       for (const RankAddress& other : surface.othersWith(vertex))
       {
-        if (isFrozen[face] != 0)
-        {
-          put(messages[rankIndex(other.rank)], face);
-        }
+        put(messages[rankIndex(other.rank)], face);
       }
     }
   }
@@ -96,13 +95,12 @@ std::vector<std::uint8_t> frozenOnAnyRank(
   return isFrozenThere;
 }
 
-SplitsOfEdges::SplitsOfEdges(const DistanceField& field, CutEdges& edges,
-  const std::vector<std::uint8_t>& isFrozen, const std::vector<std::uint8_t>& isFrozenThere,
-  double tolerance, const Job& job)
-  : field_(field)
-  , edges_(edges)
-  , isFrozen_(isFrozen)
-  , isFrozenThere_(isFrozenThere)
+} // anonymous namespace
+
+SplitsOfEdges::SplitsOfEdges(RefinedFaces& faces, double tolerance, const Job& job)
+  : faces_(faces)
+  , edges_(faces.edges)
+  , isFrozenThere_(frozenOnAnyRank(faces))
   , tolerance_(tolerance)
   , job_(job)
 {
@@ -118,8 +116,7 @@ void SplitsOfEdges::run(std::size_t count, const Item& item)
     {
       while (this->splitters_.size() < tasks)
       {
-        this->splitters_.push_back(std::make_unique<EdgeSplitter>(
-          this->field_, this->edges_, this->isFrozen_, this->tolerance_));
+        this->splitters_.push_back(std::make_unique<EdgeSplitter>(this->faces_, this->tolerance_));
       }
     },
     [&](std::size_t task, std::size_t i) { item(*this->splitters_[task], i); });
@@ -184,7 +181,7 @@ std::vector<Id> SplitsOfEdges::split(std::vector<SplitRequest> requests)
 // Faces are in the order of the ranks, and siblings in the order of the faces.
 int SplitsOfEdges::deciderOf(Id edge) const
 {
-  const MeshPartition& surface = this->field_.surface();
+  const MeshPartition& surface = this->faces_.field.surface();
   int rank = surface.exchange().rank();
   bool isFound = !surface.isDistributed();
   if (!isFound)
@@ -205,7 +202,7 @@ int SplitsOfEdges::deciderOf(Id edge) const
 // The requests about which this rank decides.
 std::vector<SplitRequest> SplitsOfEdges::gather(std::vector<SplitRequest> requests)
 {
-  const MeshPartition& surface = this->field_.surface();
+  const MeshPartition& surface = this->faces_.field.surface();
   keepMostUrgent(requests);
   if (!surface.isDistributed())
   {
@@ -265,7 +262,7 @@ void SplitsOfEdges::apply(Id edge, const EdgeSplit& split)
 std::vector<Id> SplitsOfEdges::share(
   const std::vector<Id>& edges, const std::vector<EdgeCuts>& cuts)
 {
-  const MeshPartition& surface = this->field_.surface();
+  const MeshPartition& surface = this->faces_.field.surface();
   std::vector<Message> messages = surface.exchange().noMessages();
   std::vector<Id> changed = edges;
   for (std::size_t i = 0; i < edges.size(); ++i)
