@@ -85,7 +85,6 @@ std::vector<Deviation> EdgeSplitter::measure(Id edge)
 {
   const CutEdge& e = this->edges_[edge];
   std::vector<Deviation> pieces = e.pieces;
-  pieces.resize(e.numberOfPieces(), Deviation::unknown());
   for (Id piece = 0; piece < e.numberOfPieces(); ++piece)
   {
     if (!pieces[piece].isKnown())

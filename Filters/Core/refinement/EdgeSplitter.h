@@ -13,15 +13,6 @@
 namespace geodesic
 {
 
-/// Where a piece of an edge is split, as CutEdges::split() takes it.
-struct EdgeSplit
-{
-  Id piece;
-  bool isForShape;
-  double weight;
-  double distance;
-};
-
 /// How an edge is cut: its splits, one after another, and the deviations of the pieces in the end.
 struct EdgeCuts
 {

@@ -38,7 +38,7 @@ const Deviation& FaceCheck::measured(Id a, Id b)
     const FaceTriangles::Point& begin = this->face_->points()[a];
     const FaceTriangles::Point& end = this->face_->points()[b];
     found->second = largestDeviation(this->envelope_.along(this->distance_, begin.place, end.place),
-      norm(end.place - begin.place), begin.here, end.here);
+      0.0, norm(end.place - begin.place), begin.here, end.here);
   }
   return found->second;
 }

@@ -83,13 +83,13 @@ bool FaceRefiner::refine(FaceTriangles& face, std::uint64_t mostParts, RegionsOf
   face.takeChanged();
   for (Id part = 0; part < face.numberOfParts(); ++part)
   {
-    if (face.part(part).state != FaceTriangles::State::Passed)
+    if (face.part(part).hasPassed)
     {
-      this->assess(part);
+      this->assessAtBorder(part);
     }
     else
     {
-      this->assessAtBorder(part);
+      this->assess(part);
     }
   }
   for (int step = 0; !this->open_.empty() && face.numberOfParts() <= mostParts; ++step)
@@ -134,7 +134,7 @@ void FaceRefiner::assess(Id part)
     this->open_.push({ SplitReason::Error, check.sample, part, p.version, check.limit });
     return;
   }
-  p.state = FaceTriangles::State::Passed;
+  p.hasPassed = true;
   p.bound = check.bound;
   const double shape = this->urgencyOfShape(part);
   if (shape > 0.0)
@@ -148,9 +148,8 @@ void FaceRefiner::assess(Id part)
 void FaceRefiner::assessAtBorder(Id part)
 {
   const FaceTriangles::Part& p = this->face_->parts()[part];
-  const double length = p.state == FaceTriangles::State::Passed && this->regions_
-    ? this->regions_->lengthAtBorder(*this->face_, p.corners)
-    : 0.0;
+  const double length =
+    p.hasPassed && this->regions_ ? this->regions_->lengthAtBorder(*this->face_, p.corners) : 0.0;
   if (length > 0.0)
   {
     this->open_.push({ SplitReason::Border, length, part, p.version, Infinity });
@@ -363,7 +362,7 @@ bool FaceRefiner::asksBeside(const OpenPart& open, const FaceTriangles::Point& p
 void FaceRefiner::request(const OpenPart& open, const PieceOfEdge& piece, double weight)
 {
   this->requests_->push_back({ piece.edge, piece.piece, open.reason, open.urgency, weight });
-  this->face_->part(open.part).state = FaceTriangles::State::Waiting;
+  this->face_->part(open.part).hasPassed = false; // assessed anew with the point
 }
 
 }

@@ -22,16 +22,12 @@ struct EdgeAddress
   Id halfedge;
 };
 
-struct RequestMessage
+/// What a rank tells another one of an edge.
+template <typename Item>
+struct AtEdge
 {
   EdgeAddress edge;
-  SplitRequest request;
-};
-
-struct SplitMessage
-{
-  EdgeAddress edge;
-  EdgeSplit split;
+  Item item;
 };
 
 EdgeAddress addressOf(const MeshPartition& surface, Id halfedge)
@@ -127,7 +123,7 @@ std::vector<SplitRequest> SplitsOfEdges::measureNew()
   std::vector<Id> unknown;
   for (Id edge = this->measured_; edge < this->edges_.size(); ++edge)
   {
-    if (this->edges_[edge].pieces.empty())
+    if (!this->edges_[edge].pieces.front().isKnown())
     {
       unknown.push_back(edge);
     }
@@ -220,15 +216,15 @@ std::vector<SplitRequest> SplitsOfEdges::gather(std::vector<SplitRequest> reques
     else
     {
       put(messages[rankIndex(decider)],
-        RequestMessage{ addressOf(surface, this->edges_[request.edge].halfedge), request });
+        AtEdge<SplitRequest>{ addressOf(surface, this->edges_[request.edge].halfedge), request });
     }
   }
   readEach(surface.exchange().step(std::move(messages)),
     [&](int, MessageReader& reader)
     {
-      RequestMessage message = reader.get<RequestMessage>();
-      message.request.edge = edgeAt(surface, this->edges_, message.edge);
-      own.push_back(message.request);
+      const auto message = reader.get<AtEdge<SplitRequest>>();
+      own.push_back(message.item);
+      own.back().edge = edgeAt(surface, this->edges_, message.edge);
     });
   keepMostUrgent(own);
   return own;
@@ -253,11 +249,6 @@ EdgeCuts SplitsOfEdges::decide(
   return cuts;
 }
 
-void SplitsOfEdges::apply(Id edge, const EdgeSplit& split)
-{
-  this->edges_.split(edge, split.piece, split.weight, split.distance, split.isForShape);
-}
-
 // Makes this rank's splits, tells the other ranks with faces there, and makes theirs.
 std::vector<Id> SplitsOfEdges::share(
   const std::vector<Id>& edges, const std::vector<EdgeCuts>& cuts)
@@ -272,10 +263,10 @@ std::vector<Id> SplitsOfEdges::share(
       surface.isDistributed() ? surface.otherRanksAt(halfedge) : std::vector<int>();
     for (const EdgeSplit& split : cuts[i].splits)
     {
-      this->apply(edges[i], split);
+      this->edges_.split(edges[i], split);
       for (const int other : others)
       {
-        put(messages[rankIndex(other)], SplitMessage{ addressOf(surface, halfedge), split });
+        put(messages[rankIndex(other)], AtEdge<EdgeSplit>{ addressOf(surface, halfedge), split });
       }
     }
     if (cuts[i].pieces.size() == this->edges_[edges[i]].numberOfPieces())
@@ -288,9 +279,9 @@ std::vector<Id> SplitsOfEdges::share(
     readEach(surface.exchange().step(std::move(messages)),
       [&](int, MessageReader& reader)
       {
-        const auto message = reader.get<SplitMessage>();
+        const auto message = reader.get<AtEdge<EdgeSplit>>();
         changed.push_back(edgeAt(surface, this->edges_, message.edge));
-        this->apply(changed.back(), message.split);
+        this->edges_.split(changed.back(), message.item);
       });
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());

@@ -38,7 +38,6 @@ private:
   std::vector<SplitRequest> gather(std::vector<SplitRequest> requests);
   EdgeCuts decide(EdgeSplitter& splitter, const SplitRequest* first, const SplitRequest* last);
   std::vector<Id> share(const std::vector<Id>& edges, const std::vector<EdgeCuts>& cuts);
-  void apply(Id edge, const EdgeSplit& split);
   void measure(const std::vector<Id>& edges);
 
   RefinedFaces& faces_;

@@ -297,7 +297,7 @@ double SurfaceRefiner::boundOfAll()
   {
     for (const FaceTriangles::Part& part : face.parts())
     {
-      if (part.state == FaceTriangles::State::Passed)
+      if (part.hasPassed)
       {
         bound = std::max(bound, part.bound);
         continue;

@@ -233,7 +233,7 @@ TEST(CutEdges, PointsLieInTheirOrderAndBetweenTheirParents)
     for (Index i = random.between(1, 30); i > 0; --i)
     {
       const Id piece = static_cast<Id>(random.below(edges[edge].numberOfPieces()));
-      edges.split(edge, piece, random.uniform(0.1, 0.9), 0.0, false);
+      edges.split(edge, { piece, false, random.uniform(0.1, 0.9), 0.0 });
       const geodesic::PointOnEdge& added = edges.points().back();
       const double from = placeOf(added.parents[0]);
       const double to = placeOf(added.parents[1]);
@@ -275,7 +275,7 @@ TEST(RefinedFaces, AFaceThatIsNotRefinedIsClosedBetweenThePointsOnItsEdges)
       for (Index i = random.between(0, 4); i > 0; --i)
       {
         const Id piece = static_cast<Id>(random.below(faces.edges[edge].numberOfPieces()));
-        faces.edges.split(edge, piece, random.uniform(0.1, 0.9), 0.0, false);
+        faces.edges.split(edge, { piece, false, random.uniform(0.1, 0.9), 0.0 });
         ++added;
       }
     }
