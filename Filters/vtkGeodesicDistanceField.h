@@ -4,8 +4,8 @@
  * @brief   exact geodesic distance from points, curves and boundaries on a triangle mesh
  *
  * vtkGeodesicDistanceField puts on every point of a surface the length of the shortest path *on*
- * the surface to the nearest point of a source: points, open or closed polylines (all points of their
- * segments count), the surface's boundary, or any mix of them.
+ * the surface to the nearest point of a source: points, open or closed polylines (all points of
+ * their segments count), the surface's boundary, or any mix of them.
  *
  * @par Algorithm:
  * The filter implements Bommes and Kobbelt (2007), who extend the window propagation of Mitchell,
@@ -40,8 +40,8 @@
  * - point data array `GeodesicDistance` (or DistanceArrayName), in double precision,
  * - if they are asked for, the point data arrays of SetGenerateSourceIds() and of the properties
  *   that follow it,
- * - cell data array `OriginalCellIds`, if the mesh was refined: the cell of the input (of the block)
- *   that each triangle is a part of,
+ * - cell data array `OriginalCellIds`, if the mesh was refined: the cell of the input (of the
+ * block) that each triangle is a part of,
  * - field data arrays with the names of the getters below; with GenerateSourceAngle `SourceFrame`.
  * @par
  * Port 1 has the source as it lies on the surface: polylines with a point at every mesh edge that
@@ -256,9 +256,9 @@ public:
   ///@{
   /**
    * Whether the output has the point array SourceId (vtkIdType): the nearest part of the source,
-   * as the number of a cell on port 1 (over all blocks in their order), or of a point if a block has
-   * no cells or vertex cells only; loops of the boundary follow. -1 where a point is not reached.
-   * Off by default.
+   * as the number of a cell on port 1 (over all blocks in their order), or of a point if a block
+   * has no cells or vertex cells only; loops of the boundary follow. -1 where a point is not
+   * reached. Off by default.
    *
    * This and the arrays that follow never change the distance. In approximate mode all but
    * DistanceGradient take the time of the exact field, too.
@@ -294,8 +294,8 @@ public:
    * Whether the output has the point array SignedGeodesicDistance: positive where a shortest path
    * meets the curve from the left of its direction (normals towards the viewer), negative on its
    * right; positive from points and the boundary; UnreachedValue where a point is not reached. Off
-   * by default. GetInterpolationErrorBound() does not cover this array, whose sign jumps. An edge of
-   * three and more faces, or faces of opposite orientation side by side, is an error.
+   * by default. GetInterpolationErrorBound() does not cover this array, whose sign jumps. An edge
+   * of three and more faces, or faces of opposite orientation side by side, is an error.
    */
   vtkSetMacro(GenerateSignedDistance, bool);
   vtkGetMacro(GenerateSignedDistance, bool);
@@ -343,7 +343,8 @@ public:
   ///@{
   /**
    * The length on the surface after which a texture repeats, in the units of the surface. 0, the
-   * default, stands for 1, 2 or 5 times a power of ten, near a tenth of the bounding box's diagonal.
+   * default, stands for 1, 2 or 5 times a power of ten, near a tenth of the bounding box's
+   * diagonal.
    */
   vtkSetMacro(TextureScale, double);
   vtkGetMacro(TextureScale, double);
