@@ -58,8 +58,8 @@ void keepMostUrgent(std::vector<SplitRequest>& requests)
   requests.erase(std::unique(requests.begin(), requests.end(), isSamePiece), requests.end());
 }
 
-// For each face, not 0 if the rank that owns it does not refine it; empty in one process.
-std::vector<std::uint8_t> frozenOnAnyRank(const RefinedFaces& faces)
+// For each face of another rank, not 0 if its owner does not refine it; empty in one process.
+std::vector<std::uint8_t> frozenOnOtherRanks(const RefinedFaces& faces)
 {
   const MeshPartition& surface = faces.field.surface();
   if (!surface.isDistributed())
@@ -71,16 +71,14 @@ std::vector<std::uint8_t> frozenOnAnyRank(const RefinedFaces& faces)
   std::vector<Message> messages = surface.exchange().noMessages();
   for (Id face = surface.firstOwnFace(); face < surface.endOfOwnFaces(); ++face)
   {
-    if (!faces.isFrozen(face))
-    {
-      continue;
-    }
-    isFrozenThere[face] = 1;
     for (const Id vertex : surface.mesh().triangle(face))
     {
       for (const RankAddress& other : surface.othersWith(vertex))
       {
-        put(messages[rankIndex(other.rank)], face);
+        if (faces.isFrozen(face))
+        {
+          put(messages[rankIndex(other.rank)], face);
+        }
       }
     }
   }
@@ -96,7 +94,7 @@ std::vector<std::uint8_t> frozenOnAnyRank(const RefinedFaces& faces)
 SplitsOfEdges::SplitsOfEdges(RefinedFaces& faces, double tolerance, const Job& job)
   : faces_(faces)
   , edges_(faces.edges)
-  , isFrozenThere_(frozenOnAnyRank(faces))
+  , isFrozenThere_(frozenOnOtherRanks(faces))
   , tolerance_(tolerance)
   , job_(job)
 {
@@ -174,7 +172,8 @@ std::vector<Id> SplitsOfEdges::split(std::vector<SplitRequest> requests)
   return changed;
 }
 
-// Faces are in the order of the ranks, and siblings in the order of the faces.
+// The lowest rank that refines a face there. Faces are in the order of the ranks, and siblings in
+// the order of the faces. This rank refines one of its own: it has asked for the split.
 int SplitsOfEdges::deciderOf(Id edge) const
 {
   const MeshPartition& surface = this->faces_.field.surface();

@@ -42,7 +42,7 @@ private:
 
   RefinedFaces& faces_;
   CutEdges& edges_;
-  /// On several ranks, for each face, not 0 if the rank that owns it does not refine it.
+  /// On several ranks, for each face of another rank, not 0 if its owner does not refine it.
   std::vector<std::uint8_t> isFrozenThere_;
   double tolerance_;
   const Job& job_;
