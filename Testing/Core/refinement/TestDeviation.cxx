@@ -142,7 +142,7 @@ TEST(Deviation, ClosedFormIsTheLargestOfDenseSamples)
     // slopes beyond one come from rounding and from approximate fields
     const double slope = random.uniform(-1.1, 1.1);
     const double atEnd = atBegin + slope * length;
-    const Deviation d = largestDeviation(envelope, length, atBegin, atEnd);
+    const Deviation d = largestDeviation(envelope, 0.0, length, atBegin, atEnd);
     for (int i = 0; i <= samples; ++i)
     {
       const double x = length * i / samples;
@@ -175,7 +175,7 @@ TEST(Deviation, ExtremaAreThoseThatBisectionFinds)
     const std::vector<Window> envelope = randomEnvelope(length, random);
     const double atBegin = random.uniform(0.0, 2.0) * length;
     const double slope = random.uniform(-1.1, 1.1);
-    const Deviation d = largestDeviation(envelope, length, atBegin, atBegin + slope * length);
+    const Deviation d = largestDeviation(envelope, 0.0, length, atBegin, atBegin + slope * length);
     long double above = 0.0L;
     long double below = 0.0L;
     for (const Window& w : envelope)
@@ -207,7 +207,7 @@ TEST(Deviation, ExtremumOfACircularWindowIsWhereTheCorrectedFormulaPutsIt)
 {
   // distance sqrt(x^2 + 1) on [-1, 3] shifted to begin at 0, against its chord
   const Window w = { 0.0, 4.0, 1.0, 1.0, 0.0, 0.0, Window::Kind::Circular, 0 };
-  const Deviation d = largestDeviation({ w }, 4.0, std::sqrt(2.0), std::sqrt(10.0));
+  const Deviation d = largestDeviation({ w }, 0.0, 4.0, std::sqrt(2.0), std::sqrt(10.0));
   const double a = (std::sqrt(10.0) - std::sqrt(2.0)) / 4.0;
   const double q = 1.0 + a / std::sqrt(1.0 - a * a);
   EXPECT_NEAR(d.belowAt, q / 4.0, 1e-15);

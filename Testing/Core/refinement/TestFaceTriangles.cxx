@@ -223,7 +223,7 @@ TEST(CutEdges, PointsLieInTheirOrderAndBetweenTheirParents)
     for (Index i = random.between(1, 30); i > 0; --i)
     {
       const Id piece = static_cast<Id>(random.below(edges[edge].numberOfPieces()));
-      edges.split(edge, piece, random.uniform(0.1, 0.9), 0.0, false);
+      edges.split(edge, { piece, false, random.uniform(0.1, 0.9), 0.0 });
       const geodesic::PointOnEdge& added = edges.points().back();
       const double from = placeOf(added.parents[0]);
       const double to = placeOf(added.parents[1]);
@@ -252,7 +252,8 @@ TEST(RefinedFaces, AFaceThatIsNotRefinedIsClosedBetweenThePointsOnItsEdges)
     const TriangleMesh mesh = engineMesh(bumpySheet(3, 3, 0, 0.5, random));
     const auto field =
       solveKeepingAll(mesh, { geodesic::pointCurve(geodesic::SurfacePoint::atVertex(0)) });
-    geodesic::RefinedFaces faces(field);
+    const std::vector<std::uint8_t> isFrozen(mesh.numberOfFaces(), 1);
+    geodesic::RefinedFaces faces(field, isFrozen);
     const Id face = static_cast<Id>(random.below(mesh.numberOfFaces()));
     std::size_t added = 0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -261,7 +262,7 @@ TEST(RefinedFaces, AFaceThatIsNotRefinedIsClosedBetweenThePointsOnItsEdges)
       for (Index i = random.between(0, 4); i > 0; --i)
       {
         const Id piece = static_cast<Id>(random.below(faces.edges[edge].numberOfPieces()));
-        faces.edges.split(edge, piece, random.uniform(0.1, 0.9), 0.0, false);
+        faces.edges.split(edge, { piece, false, random.uniform(0.1, 0.9), 0.0 });
         ++added;
       }
     }

@@ -77,7 +77,7 @@ Result refineOf(const Task& task, DistanceField field)
   options.tolerance = task.tolerance;
   options.maximumFaces = task.maximumFaces;
   options.job = task.job;
-  options.regionOf = [&](const geodesic::SurfacePoint& point) { return regions.at(point); };
+  options.regions = &regions;
   RefinedMesh refined = refine(field, options);
   return { std::move(field), std::move(refined) };
 }
