@@ -409,6 +409,10 @@ inline void Compare(Check& check, vtkDataObject* piece, vtkPolyData* surface,
     "the source's distance from the surface");
   near(filter->GetSourceLength(), whole.Filter->GetSourceLength(), 1e-12 * whole.Largest,
     "the source's length");
+  near(filter->GetLargestDistance(), whole.Filter->GetLargestDistance(), 1e-3 * whole.Largest,
+    "the largest distance");
+  check.That(filter->GetHasUnreachedPoints() == whole.Filter->GetHasUnreachedPoints(),
+    what + ": whether there are points that are not reached");
   // A rank that works for others puts it out, too.
   const double length = TotalLength(filter->GetOutput(1));
   double longest = 0.0;
