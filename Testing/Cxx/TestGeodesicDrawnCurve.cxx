@@ -160,6 +160,7 @@ void CheckPointsOnly(Check& check)
   field->GenerateSourceIdsOn();
   field->Update();
   field->PointsOnlyOn();
+  field->Update();
   CheckDistances(
     check, field,
     [&points](const Point& p)
