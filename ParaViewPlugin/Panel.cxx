@@ -30,7 +30,7 @@ const QMap<QString, QString>& purposes()
 
 /// Results are nothing to write into, and are seen whole.
 constexpr const char* NoBox =
-  "QLineEdit { border: none; background: palette(window); min-width: 6em }";
+  "QLineEdit { border: none; background: palette(window); min-width: 7em }";
 
 bool isResult(const QString& property)
 {
