@@ -81,6 +81,16 @@ def note_label(step):
     picture(step)
 
 
+def note_texture(step, file):
+    """A texture as one picture, or none."""
+    field = simple.GetActiveSource()
+    field.GenerateTextureCoordinates, field.TextureRepeats = 1, 0
+    display = simple.GetDisplayProperties(field)
+    display.Texture = simple.CreateTexture(str(FOLDER / file)) if file else None
+    simple.Render()
+    note(step, array=display.ColorArrayName[1], repeats=display.RepeatTextures)
+
+
 def show_source(visible):
     simple.GetDisplayProperties(simple.OutputPort(simple.GetActiveSource(), 1)).Visibility = visible
 

@@ -75,3 +75,7 @@ for seen in (apart, played):
 
 # At the last frame the front goes up to 1.2 in place of 0.4.
 assert apart["nodes"][-4] < 0.8 < 1.2 <= played["nodes"][-4], (apart["nodes"], played["nodes"])
+
+# Stripes give way to a texture as long as it is there.
+assert noted("texture") == {"array": "", "repeats": 0}, noted("texture")
+assert noted("no texture")["array"] == "GeodesicDistance", noted("no texture")
