@@ -196,9 +196,8 @@ TEST(FaceBounds, HoldInAFaceWithoutArea)
 TEST(FaceBounds, NothingThroughAHalfedgeIsFartherBelowWhateverTheCorners)
 {
   int inside = 0;
-  for (std::uint64_t seed = 0; seed < 4000; ++seed)
+  for (Random& random : EachSeed(4000, 20000))
   {
-    Random random(seed + 20000);
     const PlainMesh plain = randomFace(random);
     const TriangleMesh mesh = engineMesh(plain);
     const auto k = static_cast<geodesic::Id>(random.below(3));
@@ -219,7 +218,7 @@ TEST(FaceBounds, NothingThroughAHalfedgeIsFartherBelowWhateverTheCorners)
       anywhere = std::max(anywhere, below);
       onHalfedge = place[(k + 2) % 3] == 0.0 ? std::max(onHalfedge, below) : onHalfedge;
     }
-    EXPECT_LE(anywhere, bound + Rounding) << "seed " << seed;
+    EXPECT_LE(anywhere, bound + Rounding);
     inside += anywhere > onHalfedge + 0.01 ? 1 : 0;
   }
   EXPECT_GT(inside, 100) << "few were farther below inside than on the halfedge";
@@ -257,9 +256,8 @@ std::vector<Window> listNearLine(double length, double off, Random& random)
 // The distance is 0 all along the source.
 TEST(QuickError, IsNoLessThanTheInterpolantAtEitherEndOfASourceInTheFace)
 {
-  for (std::uint64_t seed = 0; seed < 2000; ++seed)
+  for (Random& random : EachSeed(2000))
   {
-    Random random(seed);
     const PlainMesh plain = randomPlanar(2, 2, random);
     const TriangleMesh mesh = engineMesh(plain);
     const MeshSegment segment{ random.below(mesh.numberOfFaces()), randomWeights(random),
@@ -276,7 +274,7 @@ TEST(QuickError, IsNoLessThanTheInterpolantAtEitherEndOfASourceInTheFace)
       {
         interpolant += end[k] * field.vertexDistances()[mesh.triangle(segment.face)[k]];
       }
-      EXPECT_GE(error.byWindows + error.rounding, interpolant) << "seed " << seed;
+      EXPECT_GE(error.byWindows + error.rounding, interpolant);
     }
   }
 }
@@ -284,9 +282,8 @@ TEST(QuickError, IsNoLessThanTheInterpolantAtEitherEndOfASourceInTheFace)
 TEST(ListInBand, SaysYesOnlyOfListsThatStayInTheBand)
 {
   std::array<int, 2> found{};
-  for (std::uint64_t seed = 0; seed < 20000; ++seed)
+  for (Random& random : EachSeed(20000))
   {
-    Random random(seed);
     const double limit = std::pow(10.0, random.uniform(-3.0, -0.5));
     const std::vector<Window> list = listNearLine(1.0, limit, random);
     const double atOrigin = list.front().distance(0.0) + random.uniform(-0.2, 0.2) * limit;
