@@ -352,6 +352,17 @@ public:
 
   ///@{
   /**
+   * Whether a texture is laid in tiles that begin at the source (the default). Without this
+   * coordinates from 0 to 1 are one picture, TextureScale wide: its middle is at a point source; it
+   * begins where a curve does, and the curve runs through the middle of its height.
+   */
+  vtkSetMacro(TextureRepeats, bool);
+  vtkGetMacro(TextureRepeats, bool);
+  vtkBooleanMacro(TextureRepeats, bool);
+  ///@}
+
+  ///@{
+  /**
    * After an execution: the number of windows that the propagation handled, divided by the number
    * of mesh edges. It tells how hard the surface was.
    */
@@ -401,6 +412,21 @@ public:
   vtkGetMacro(SeamPointsJoined, vtkIdType);
   ///@}
 
+  ///@{
+  /**
+   * After an execution: the largest distance at the points of the output's triangles, on all ranks,
+   * and where it is: the first such point, in space. Points that are not reached do not count. The
+   * place is the origin as long as the largest distance is 0.
+   */
+  vtkGetMacro(LargestDistance, double);
+  vtkGetVector3Macro(FarthestPoint, double);
+  ///@}
+
+  /**
+   * After an execution: whether a point of the output's triangles is not reached, on any rank.
+   */
+  vtkGetMacro(HasUnreachedPoints, bool);
+
 protected:
   vtkGeodesicDistanceField();
   ~vtkGeodesicDistanceField() override;
@@ -441,12 +467,16 @@ private:
   bool GenerateSourceAngle = false;
   bool GenerateTextureCoordinates = false;
   double TextureScale = 0.0;
+  bool TextureRepeats = true;
   double WindowsPropagatedPerEdge = 0.0;
   double SourceLength = 0.0;
   double SourceSnapDistance = 0.0;
   double RelativeErrorBound = 0.0;
   double InterpolationErrorBound = std::numeric_limits<double>::infinity();
   vtkIdType SeamPointsJoined = 0;
+  double LargestDistance = 0.0;
+  double FarthestPoint[3] = { 0.0, 0.0, 0.0 };
+  bool HasUnreachedPoints = false;
 };
 
 #endif

@@ -383,6 +383,20 @@ std::vector<std::string> readNames(
   return names;
 }
 
+/// Whether all numbers are whole ones, whatever they are stored as.
+bool areWhole(vtkDataArray* numbers)
+{
+  for (vtkIdType i = 0; i < numbers->GetNumberOfTuples(); ++i)
+  {
+    const double value = numbers->GetComponent(i, 0);
+    if (value != std::floor(value))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Values that cannot be ids become -1 or SourceIdEnd.
 std::vector<vtkIdType> readSourceIds(vtkDataSet* data, const PolyDataBlock& block, const char* name)
 {
@@ -393,12 +407,13 @@ std::vector<vtkIdType> readSourceIds(vtkDataSet* data, const PolyDataBlock& bloc
   }
   const PartArray array = arrayOfParts(block, name, "SourceIdArrayName");
   vtkAbstractArray* any = requireArray(data, block, array);
-  vtkDataArray* values = integersOf(any);
-  if (!values)
+  auto* values = vtkDataArray::SafeDownCast(any);
+  if (!values || !(integersOf(any) || areWhole(values)))
   {
     throw InputError(array.in(block) + " is a " + any->GetClassName() +
-      ", where whole numbers are needed. Choose an array of integers, or make one (Calculator with "
-      "an integer as Result Array Type).");
+      (values ? " with a value that is no whole number" : "") +
+      ", where whole numbers are needed. Choose an array of them, or make one (Calculator, with "
+      "floor).");
   }
   const vtkIdType count = array.count(data);
   for (vtkIdType i = 0; i < count; ++i)

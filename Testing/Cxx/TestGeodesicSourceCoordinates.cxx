@@ -335,10 +335,40 @@ void CheckTextureScale(Check& check)
   }
 }
 
+/// One picture: its middle is at a point, and on a curve, where it begins at the curve's beginning.
+void CheckSinglePicture(Check& check)
+{
+  for (const bool isCurve : { false, true })
+  {
+    const std::vector<Point> curve = { { 0, 0.5, 0 }, { 1, 0.5, 0 } };
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(Square(4));
+    filter->SetSourceData(isCurve ? Polyline(curve) : PointSources({ { 0.5, 0.5, 0 } }));
+    filter->RefineMeshOff();
+    filter->GenerateTextureCoordinatesOn();
+    filter->SetTextureScale(0.5);
+    filter->Update();
+    vtkNew<vtkPolyData> tiles;
+    tiles->DeepCopy(filter->GetOutput());
+    filter->TextureRepeatsOff();
+    filter->Update();
+    const double along = isCurve ? 0.0 : 0.5;
+    for (vtkIdType i = 0; i < tiles->GetNumberOfPoints(); ++i)
+    {
+      const double* tile = tiles->GetPointData()->GetTCoords()->GetTuple2(i);
+      const double expected[2] = { tile[0] + along, tile[1] + 0.5 };
+      const double* uv = filter->GetOutput()->GetPointData()->GetTCoords()->GetTuple2(i);
+      check.That(std::abs(uv[0] - expected[0]) < 1e-6 && std::abs(uv[1] - expected[1]) < 1e-6,
+        "one picture: " + std::to_string(uv[0]) + " " + std::to_string(uv[1]));
+    }
+  }
+}
+
 void CheckDefaults(Check& check)
 {
   vtkNew<vtkGeodesicDistanceField> field;
   check.Equal(field->GetTextureScale(), 0.0, "a round tile by default");
+  check.That(field->GetTextureRepeats(), "tiles by default");
   check.That(!field->GetGenerateSourceArcLength() && !field->GetGenerateSourceAngle() &&
       !field->GetGenerateTextureCoordinates(),
     "off by default");
@@ -374,6 +404,7 @@ int TestGeodesicSourceCoordinates(int, char*[])
   }
   CheckScale(check);
   CheckTextureScale(check);
+  CheckSinglePicture(check);
   CheckAgainstPaths(check);
   CheckPieces(check);
   CheckDefaults(check);

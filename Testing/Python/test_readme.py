@@ -20,10 +20,13 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from geodesic_testing import data, distances, load_plugin
+from pixels import read_pixels
 
 BUILD = pathlib.Path(sys.argv.pop())
 SOURCES = pathlib.Path(sys.argv.pop()).resolve()
 README = (SOURCES / "README.md").read_text()
+sys.path.append(str(SOURCES / "Examples/gallery"))
+import small_png  # noqa: E402
 load_plugin()
 
 
@@ -50,6 +53,9 @@ class HowTo(InFolder):
         names = dict(vars(simple))
         names["surface"] = simple.Sphere(ThetaResolution=100, PhiResolution=100)
         ezdxf = unittest.mock.MagicMock()  # not packaged everywhere
+        picture = np.full((64, 64, 3), 255, np.uint8)
+        picture[8:-8, 8:-8] = 200, 0, 0
+        small_png.write(picture, "picture.png")
         with unittest.mock.patch.dict(sys.modules, ezdxf=ezdxf):
             for block in blocks_in((SOURCES / "Examples/HowTo.md").read_text()):
                 exec(block, names)
@@ -64,6 +70,8 @@ class HowTo(InFolder):
         self.assertAlmostEqual(paths.LongestLength, quarter, delta=0.002)
         ids = vtk_to_numpy(data(names["nearest"]).GetPointData().GetArray("SourceId"))
         self.assertEqual(set(ids), {0, 1})
+        self.assert_landmarks(names)
+        self.assert_pictures(names)
         self.assert_table()
         self.assert_lines()
         found = distances(names["near"])
@@ -76,6 +84,38 @@ class HowTo(InFolder):
         self.assert_cuts(names)
         height = np.arcsin(0.2 / 0.5) * 0.5  # of the last slice, along a meridian
         self.assertAlmostEqual(distances(names["nearest"]).max(), quarter + height, delta=0.002)
+
+    def assert_landmarks(self, names):
+        with open("landmarks.csv") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["TargetId"] for row in rows], ["0", "1", "2"])
+        places = [[float(row[f"TargetPosition:{k}"] if f"TargetPosition:{k}" in row else row[f"TargetPosition_{k}"])
+                   for k in range(3)] for row in rows]
+        np.testing.assert_allclose(places, [(0, 0, 0.5), (0.5, 0, 0), (0, -0.5, 0)], atol=0.002)
+        table = np.array([[float(row[f"Source{k}"]) for k in range(3)] for row in rows])
+        np.testing.assert_allclose(table, np.pi/4*(1 - np.eye(3)), atol=0.002)
+        self.assertEqual(set(vtk_to_numpy(data(names["landmarks"]).GetPointData().GetArray("SourceId"))), {0, 1, 2})
+        self.assertAlmostEqual(names["field"].LargestDistance, np.pi/2, delta=0.002)
+        np.testing.assert_allclose(names["field"].FarthestPoint, (0, 0, -0.5), atol=1e-6)
+        cap = 2*np.pi*0.5**2*(1 - np.cos(0.2/0.5))
+        self.assertAlmostEqual(names["disk"].CellData["Area"].GetRange()[0], cap, delta=0.002)
+
+    def assert_pictures(self, names):
+        self.assertEqual(len(list(pathlib.Path().glob("moving*.png"))), 5)
+        view = simple.GetActiveView()
+        self.addCleanup(simple.Delete, view)
+        view.OrientationAxesVisibility = 0
+        simple.HideAll(view)
+        simple.Show(names["decal"], view)
+        view.CameraParallelProjection, view.CameraParallelScale = 1, 0.6
+        view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = (0, 0, 5), (0, 0, 0), (0, 1, 0)
+        simple.SaveScreenshot("decal.png", view, ImageResolution=(400, 400))
+        red, green, blue = np.moveaxis(read_pixels("decal.png").astype(int), -1, 0)
+        rows, columns = np.where((red > 2*green) & (red > 2*blue))
+        # Three quarters of 0.3 in a view of 1.2 for 400 pixels: once, in the middle.
+        for places in rows, columns:
+            self.assertAlmostEqual(np.mean((places.min(), places.max())), 200, delta=5)
+            self.assertTrue(60 < np.ptp(places) < 120, np.ptp(places))
 
     def assert_cuts(self, names):
         strip = data(names["strip"])

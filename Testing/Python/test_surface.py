@@ -194,7 +194,8 @@ class Properties(unittest.TestCase):
     def test_are_all_arguments(self):
         """Each setter of the filters is an argument, or has another name here."""
         others = {"Controller", "SourceType", "SourceConnection", "SourceData", "BarrierArrayName", "SourceIdArrayName",
-                  "SourceNameArrayName", "TargetNameArrayName",  # a numpy array has no names
+                  # a numpy array has no names, and nothing but distances
+                  "SourceNameArrayName", "TargetNameArrayName", "GenerateTargetPositions",
                   "TargetsConnection", "TargetsData", "NumberOfContours", "Value"}
         for name, kind in (("field", "DistanceField"), ("contour", "Contour"), ("paths", "Paths"),
                            ("matrix", "DistanceMatrix")):

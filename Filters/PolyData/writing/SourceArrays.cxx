@@ -38,6 +38,8 @@ struct OutputPoint
   double unreached = Infinity;
   /// The length of a tile of texture coordinates.
   double tile = 1.0;
+  /// The texture coordinate on the source, across a curve or around a point.
+  double textureAtSource = 0.0;
 
   bool isReached() const { return this->distance < Infinity; }
   double signedDistance() const
@@ -62,11 +64,13 @@ Vec3 textureCoordinatesOf(const OutputPoint& point)
   const SourceValues& values = point.values;
   if (values.side != SourceSide::Point)
   {
-    return point.ifReached(values.arcLength / point.tile, point.signedDistance() / point.tile);
+    return point.ifReached(
+      values.arcLength / point.tile, point.textureAtSource + point.signedDistance() / point.tile);
   }
   const Vec2 away = unitVector(values.angle);
   const double distance = point.distance / point.tile;
-  return point.ifReached(distance * away.x, distance * away.y);
+  return point.ifReached(
+    point.textureAtSource + distance * away.x, point.textureAtSource + distance * away.y);
 }
 
 /// One of the arrays.
@@ -281,6 +285,7 @@ void SourceArrays::write(const SurfaceBlock& block, const ValuesAtPoints& atVert
     point.distance = distances[i];
     point.unreached = unreached;
     point.tile = this->textureTile;
+    point.textureAtSource = this->textureAtSource;
     const auto number = static_cast<Id>(i);
     const bool isNew = number >= block.numberOfPoints;
     const ValuesAtPoints& values = isNew ? atNewPoints : atVertices;
