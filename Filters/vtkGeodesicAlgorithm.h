@@ -21,10 +21,16 @@
  *
  * @par Source (port 1):
  * Each polyline is a curve, as are lines that meet (see SetJoinLines()); each point of a vertex
- * cell is a point source; polygons stand for their outlines. Data with vertex cells only, or
- * without cells, are a set of points, each of which (of those that the vertex cells have) is a
- * source of its own. A vtkUnstructuredGrid gives its lines and vertices, with a warning if it has
- * other cells; any other vtkPointSet gives its points.
+ * cell is a point source; faces are regions. Data with vertex cells only, or without cells, are a
+ * set of points, each of which (of those that the vertex cells have) is a source of its own. A
+ * vtkUnstructuredGrid gives its vertices, lines and flat faces, with a warning if it has other
+ * cells; any other vtkPointSet gives its points.
+ * @par
+ * A region consists of the faces with one id (SetSourceIdArrayName()); without ids, of faces that
+ * meet in edges (SetJoinLines()). The edges that one of these faces uses are its outline, which is
+ * a curve. The faces of the surface that the region covers, because they are its faces or were cut
+ * from the same polygons, belong to the source as a whole: their distance is 0. Faces beside the
+ * surface cover nothing: their outline alone is put onto the surface.
  * @par
  * A curve need not be made of mesh edges, nor lie on the surface exactly. Its points are put onto
  * the closest points of the surface, and onto a vertex or an edge when within the precision of the

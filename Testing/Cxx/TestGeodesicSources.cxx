@@ -98,7 +98,7 @@ void CheckKinds(Check& check)
         data->SetVerts(vertices);
       }),
     least({ DistanceTo({ p[0], p[1], p[2] }), DistanceTo({ p[3] }) }), 1, 1);
-  CheckSource(check, "a polygon stands for its outline",
+  CheckSource(check, "a polygon inside faces stands for its outline",
     WithCells(PointSources(p),
       [](vtkPolyData* data, vtkCellArray* cells)
       {
@@ -106,7 +106,7 @@ void CheckKinds(Check& check)
         data->SetPolys(cells);
       }),
     DistanceTo(outline), 1, 0);
-  CheckSource(check, "a strip stands for its outline",
+  CheckSource(check, "a strip inside faces stands for its outline",
     WithCells(PointSources(p),
       [](vtkPolyData* data, vtkCellArray* cells)
       {

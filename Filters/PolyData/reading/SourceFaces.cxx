@@ -221,6 +221,8 @@ std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
     }
   }
 
+  std::sort(gone.begin(), gone.end());
+
   std::vector<std::size_t> lines;
   std::vector<vtkIdType> regionOfLine;
   std::vector<bool> hasOutline(faces.size(), false);

@@ -20,7 +20,7 @@ namespace geodesic
 /// Faces with one value are one region. If faces are joined, so are those with a common edge. Edges
 /// are the same if the coordinates of their ends are equal and are one vertex.
 ///
-/// \param faces closed polylines that are not located yet. LocatedPolyline::source, ascending,
+/// \param faces closed polylines that are not located yet. LocatedPolyline::source
 ///        becomes that of the region's first face.
 /// \param values of each face.
 /// \param polylines the outlines follow these.

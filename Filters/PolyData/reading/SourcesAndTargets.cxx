@@ -345,10 +345,11 @@ void joinFaces(const std::vector<vtkIdType>& names, bool areJoined, SourcePolyli
 {
   if (sources.droppedCells > 0)
   {
-    throw SourceError("The source (input port 1) has no line or vertex with points among its " +
+    throw SourceError(
+      "The source (input port 1) has no vertex, line or flat face with points among its " +
       std::to_string(sources.droppedCells) +
-      " cells. Apply Extract Surface to it for the outlines of its faces, Feature Edges after that "
-      "for its edges, or take some of its points by Extract Selection.");
+      " cells. Apply Extract Surface to it for its faces, Feature Edges after that for its edges, "
+      "or take some of its points by Extract Selection.");
   }
   throw SourceError(
     "The source (input port 1) is empty: it has no points that a line or vertex uses. Connect a "

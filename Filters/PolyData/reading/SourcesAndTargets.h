@@ -32,7 +32,7 @@ struct SourcePolylines
   std::vector<std::string> names;
   /// All of these are below.
   vtkIdType idEnd = 0;
-  /// Cells that are neither lines nor vertices and were left out.
+  /// Cells that are neither vertices, lines nor flat faces and were left out.
   vtkIdType droppedCells = 0;
 };
 
