@@ -84,7 +84,7 @@ public:
   }
   void join(std::size_t a, std::size_t b)
   {
-    const auto [first, other] = std::minmax(this->of(a), this->of(b));
+    const auto [first, other] = std::minmax({ this->of(a), this->of(b) });
     this->parents_[other] = first;
   }
 
