@@ -105,28 +105,34 @@ def point_indices(where, count, name):
     return checked(np.atleast_1d(where), count, name)
 
 
-def index_pairs(pairs, count):
-    """Pairs of indices of points of a surface that has so many."""
+def index_pairs(pairs, name, first, second):
+    """Pairs of indices, of one of the first and one of the second. name: what has these, for messages."""
     pairs = _array(pairs, "pairs")
     if pairs.size == 0:
         return np.empty((0, 2), np.int64)
     if pairs.ndim != 2 or pairs.shape[1] != 2 or not np.issubdtype(pairs.dtype, np.integer):
         raise GeodesicError(f"pairs has the shape {pairs.shape} and holds {pairs.dtype}: it has rows of two indices of "
                             "points.")
-    return checked(pairs, count, "pairs")
+    return np.column_stack([checked(column, len(ends), "pairs", name)
+                            for column, ends in zip(pairs.T, (first, second))])
 
 
-def checked(ids, count, name):
-    """Indices of points of a surface that has so many."""
+def checked(ids, count, name, whose="the surface"):
+    """Indices of points of a surface, or of another thing with points, that has so many."""
     if ids.size and (ids.min() < 0 or ids.max() >= count):
         wrong = ids.max() if ids.max() >= count else ids.min()
-        raise GeodesicError(f"{name}: the surface has {count} points, with indices from 0; there is no {wrong}.")
+        raise GeodesicError(f"{name}: {whose} has {count} points, with indices from 0; there is no {wrong}.")
     return ids.astype(np.int64)
 
 
 def indexed_points(ids, data):
     """Points of a surface by their indices. These go with them: several points may be at one place."""
-    points = point_set(points_of(data)[ids], "The points of the surface")
+    return points_with_ids(points_of(data)[ids], ids, data)
+
+
+def points_with_ids(positions, ids, data):
+    """Positions, with the indices of the points of a surface that they are; -1: none."""
+    points = point_set(positions, "The points of the surface")
     if not isinstance(data, vtkCompositeDataSet):  # whose blocks have indices of their own
         array = numpy_to_vtkIdTypeArray(ids, deep=True)
         array.SetName("vtkOriginalPointIds")

@@ -146,16 +146,17 @@ class Surface:
                source_ids=None):
         """The distances of each target (row) to each part of the source (column), each alone.
 
-        Targets are given as a source is; without them they are the points of the source. Instead of both, pairs takes
-        rows of two indices of points, k x 2, and gives one distance a row, without the whole table: it measures from
-        as few points as will do, once from each, no farther than to its partners.
+        Targets are given as a source is; without them they are the points of the source. With pairs, rows of two
+        indices, k x 2, the result is one distance a row, without the whole table: it measures from as few points as
+        will do, once from each, no farther than to its partners. The indices are those of points of the surface or,
+        where a source is given as points (indices or positions), of a point of the source and one of the targets.
         """
         if pairs is None:
             return self._table(source, targets, maximum_distance=maximum_distance, boundary=boundary,
                                join_lines=join_lines, source_ids=source_ids)
-        if source is not None or targets is not None or boundary or source_ids is not None:
-            raise GeodesicError("pairs has the indices of both points: give no source and no targets with it.")
-        return self._distances_of_pairs(pairs, maximum_distance=maximum_distance)
+        if boundary or source_ids is not None:
+            raise GeodesicError("pairs is for points: give no boundary and no source_ids with it.")
+        return self._distances_of_pairs(pairs, source, targets, maximum_distance=maximum_distance)
 
     def _solve(self, accuracy, relative_error, **given):
         """The output of the field's filter."""
@@ -179,10 +180,20 @@ class Surface:
         table = table if rows.any() else table[:0]
         return _with_infinite(_with_infinite(table, rows, axis=0), columns, axis=1)
 
-    def _distances_of_pairs(self, pairs, **given):
+    def _distances_of_pairs(self, pairs, source, targets, **given):
         """The distance of the two points of each row."""
-        pairs = inputs.index_pairs(pairs, self._number_of_points())
-        of_faces = self._are_of_faces(pairs).all(axis=1)
+        if source is None and targets is not None:
+            raise GeodesicError("pairs with targets needs a source, too: points that the first indices are of.")
+        if source is None:
+            positions, ids = arrays.points_of(self._data), np.arange(self._number_of_points())
+            pairs = inputs.index_pairs(pairs, "the surface", ids, ids)
+        else:
+            first = self._ends_of_pairs(source, "The source")
+            second = first if targets is None else self._ends_of_pairs(targets, "The set of targets")
+            pairs = inputs.index_pairs(pairs, "the source or the set of targets", first[1], second[1])
+            pairs[:, 1] += 0 if targets is None else len(first[1])
+            positions, ids = first if targets is None else map(np.concatenate, zip(first, second))
+        of_faces = ((ids < 0) | self._are_of_faces(ids))[pairs].all(axis=1)
         _warn_of_unreached(of_faces, "pairs")
         rows = np.flatnonzero(of_faces)
         sources, targets = _few_sources(pairs[rows])
@@ -190,9 +201,21 @@ class Surface:
         result = np.full(len(pairs), np.inf)
         for group in np.split(order, np.flatnonzero(np.diff(sources[order])) + 1):
             if len(group):
-                ends = (inputs.indexed_points(ids, self._data) for ids in (sources[group[:1]], targets[group]))
+                ends = (inputs.points_with_ids(positions[end], ids[end], self._data)
+                        for end in (sources[group[:1]], targets[group]))
                 result[rows[group]] = _columns(self._run(vtkGeodesicDistanceMatrix, *ends, **given))[:, 0]
         return result
+
+    def _ends_of_pairs(self, where, name):
+        """Positions, and for each the index of the surface's point that it is, or -1."""
+        where = inputs.unwrapped(where)
+        if isinstance(where, vtkDataObject):
+            raise GeodesicError(f"{name}: with pairs, points are given by their indices or positions.")
+        ids = inputs.point_indices(where, self._number_of_points(), name)
+        if ids is not None:
+            return arrays.points_of(self._data)[ids], ids
+        positions = arrays.points_of(inputs.point_set(where, name))
+        return positions, np.full(len(positions), -1)
 
     def _run(self, kind, source, targets=None, *, distances=(), boundary=False, source_ids=None, **properties):
         """The output of a filter of a kind, which is kept. targets: None or a data set."""

@@ -303,6 +303,17 @@ class Pairs(unittest.TestCase):
             self.assertEqual(given.shape, (rows,))
             np.testing.assert_allclose(given, table[chosen[:, 1], chosen[:, 0]], atol=EXACT)
 
+    def test_index_positions_and_points_that_are_given(self):
+        random = np.random.default_rng(8)
+        points, faces = sheet(12)
+        places = random.uniform(0.1, 0.9, (5, 3)) * (1, 1, 0)
+        ids = random.choice(len(points), 7, replace=False)
+        for source, targets in ((places, places[::-1]), (places, ids), (ids, places), (ids, ids[:3]), (places, None)):
+            table = matrix((points, faces), source, targets)
+            pairs = np.column_stack((random.integers(0, table.shape[1], 30), random.integers(0, table.shape[0], 30)))
+            np.testing.assert_allclose(matrix((points, faces), source, targets, pairs=pairs),
+                                       table[pairs[:, 1], pairs[:, 0]], atol=EXACT)
+
     def test_are_measured_from_as_few_points_as_will_do(self):
         kept = Surface(sheet())
         ids = range(80)
@@ -327,8 +338,11 @@ class Pairs(unittest.TestCase):
         for arguments, message in (({"pairs": [(0, 81)]}, "there is no 81"), ({"pairs": [(0, -1)]}, "there is no -1"),
                                    ({"pairs": [0, 1]}, "two indices"), ({"pairs": [(0, 1, 2)]}, "two indices"),
                                    ({"pairs": [(0.0, 1.0)]}, "two indices"), ({"pairs": {(0, 1)}}, "given as a set"),
-                                   ({"source": 0, "pairs": [(0, 1)]}, "no source and no targets"),
-                                   ({"targets": 0, "pairs": [(0, 1)]}, "no source and no targets")):
+                                   ({"source": [3, 4], "pairs": [(0, 2)]}, "the source or .* has 2 points"),
+                                   ({"source": [3, 4], "targets": 1, "pairs": [(0, 1)]}, "has 1 points"),
+                                   ({"source": curve([(0, 0, 0), (1, 0, 0)]), "pairs": [(0, 1)]}, "or positions"),
+                                   ({"source": 0, "boundary": True, "pairs": [(0, 1)]}, "no boundary"),
+                                   ({"targets": 0, "pairs": [(0, 1)]}, "needs a source")):
             with self.subTest(message=message), self.assertRaisesRegex(GeodesicError, message):
                 matrix(sheet(), **arguments)
 
