@@ -9,6 +9,7 @@
 #include "vtkIntArray.h"
 
 #include <cstdlib>
+#include <set>
 
 namespace GeodesicTesting
 {
@@ -96,13 +97,59 @@ inline std::vector<bool> PointsInside(const Region& region)
   return inside;
 }
 
-/// At the points: from the outline, as lines, on the surface without the region.
+using EdgesOfFaces = std::set<std::pair<vtkIdType, vtkIdType>>;
+
+inline EdgesOfFaces EdgesOf(vtkPolyData* faces)
+{
+  EdgesOfFaces edges;
+  for (vtkIdType f = 0; f < faces->GetNumberOfPolys(); ++f)
+  {
+    vtkNew<vtkIdList> ids;
+    faces->GetPolys()->GetCellAtId(f, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      edges.insert(std::minmax({ ids->GetId(k), ids->GetId((k + 1) % ids->GetNumberOfIds()) }));
+    }
+  }
+  return edges;
+}
+
+/// The edges and corners that a region shares with the other faces.
+inline vtkSmartPointer<vtkPolyData> WhereItMeetsOthers(const Region& region)
+{
+  const EdgesOfFaces inside = EdgesOf(FacesOfRegion(region, true));
+  const std::vector<bool> isCorner = PointsInside(region);
+  auto shared = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkCellArray> corners;
+  for (const auto& [a, b] : EdgesOf(FacesOfRegion(region, false)))
+  {
+    if (inside.count({ a, b }) > 0)
+    {
+      lines->InsertNextCell({ a, b });
+    }
+    for (const vtkIdType end : { a, b })
+    {
+      if (isCorner[static_cast<std::size_t>(end)])
+      {
+        corners->InsertNextCell({ end });
+      }
+    }
+  }
+  shared->SetPoints(region.Surface->GetPoints());
+  shared->SetLines(lines);
+  shared->SetVerts(corners);
+  return shared;
+}
+
+/// At the points: from where the region meets the others, on the surface without it.
 inline std::vector<double> TruthOf(const Region& region)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->RefineMeshOff();
+  filter->JoinLinesOff();
   filter->SetInputData(FacesOfRegion(region, false));
-  filter->SetSourceData(OutlineOf(region));
+  filter->SetSourceData(WhereItMeetsOthers(region));
   filter->Update();
   const std::vector<bool> inside = PointsInside(region);
   std::vector<double> truth;
