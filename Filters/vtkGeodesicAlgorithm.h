@@ -168,7 +168,8 @@ public:
    * other way, as the lowest one), and begins with its lowest line where it is a loop that nothing
    * else meets. Its id is the lowest cell id among its lines; other ids of theirs do not occur in
    * the outputs. A line that is given twice counts once, one without length only where no other
-   * line ends. Polylines of more points stay as they are.
+   * line ends. Polylines of more points stay as they are. Faces with a common edge are joined to
+   * one region, whose id is that of its first face.
    */
   vtkSetMacro(JoinLines, bool);
   vtkGetMacro(JoinLines, bool);
