@@ -22,6 +22,7 @@ struct Job::Caller
 
   Watcher watcher;
   ParallelFor threads;
+  Sharing sharing = Sharing::Always;
   double reached = 0.0;
   Clock::time_point nextLook = Clock::time_point::min();
   /// The thread that last shared tasks with others. None if there are no others.
@@ -64,7 +65,7 @@ public:
   void run(const ParallelFor& threads, const Job& job)
   {
     std::future<void> done = std::async(std::launch::async,
-      [&]() { threads(this->count_, [this](std::size_t number) { this->runOne(number); }); });
+      [&]() { threads(this->count_, [this](std::size_t number) { this->runOne(number); }, {}); });
     constexpr std::chrono::milliseconds betweenReports(20);
     while (done.wait_for(betweenReports) != std::future_status::ready)
     {
@@ -127,34 +128,24 @@ private:
   std::exception_ptr thrown_;
 };
 
-/// Counts what has ended, also by an exception.
-class AtEnd
-{
-public:
-  explicit AtEnd(std::atomic<std::size_t>& count)
-    : count_(count)
-  {
-  }
-  ~AtEnd() { ++this->count_; }
-  AtEnd(const AtEnd&) = delete;
-  AtEnd& operator=(const AtEnd&) = delete;
-
-private:
-  std::atomic<std::size_t>& count_;
-};
-
 }
 
-Job::Job(Watcher watcher, ParallelFor threads)
+Job::Job(Watcher watcher, ParallelFor threads, Sharing sharing)
   : caller_(std::make_shared<Caller>())
 {
   this->caller_->watcher = std::move(watcher);
   this->caller_->threads = std::move(threads);
+  this->caller_->sharing = sharing;
 }
 
 bool Job::isParallel() const
 {
   return this->caller_ && this->caller_->threads;
+}
+
+Job::Sharing Job::sharing() const
+{
+  return this->caller_ ? this->caller_->sharing : Sharing::Always;
 }
 
 void Job::reach(double fraction) const
@@ -196,21 +187,7 @@ void Job::inParallel(std::size_t count, const std::function<void(std::size_t)>& 
 {
   Caller& caller = *this->caller_;
   caller.thread = std::this_thread::get_id();
-  std::atomic<std::size_t> begun{ 0 };
-  std::atomic<std::size_t> ended{ 0 };
-  caller.threads(count,
-    [&](std::size_t i)
-    {
-      ++begun;
-      const AtEnd end(ended);
-      task(i);
-      // The caller's thread watches while others are still at their last tasks.
-      while (!caller.isElsewhere() && begun == count && ended + 1 < count)
-      {
-        this->look();
-        std::this_thread::yield();
-      }
-    });
+  caller.threads(count, task, [this]() { this->look(); });
 }
 
 void Job::longTasks(

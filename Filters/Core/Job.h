@@ -13,9 +13,10 @@ namespace geodesic
 {
 
 /// Runs task(0) to task(count - 1), in any order and possibly at the same time, and returns when
-/// all have finished. If tasks throw, one of their exceptions is thrown again then.
-using ParallelFor =
-  std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
+/// all have finished. While the caller's thread has nothing to do but to wait for others, it calls
+/// wait() now and then. If tasks throw, one of their exceptions is thrown again in the end.
+using ParallelFor = std::function<void(std::size_t count,
+  const std::function<void(std::size_t)>& task, const std::function<void()>& wait)>;
 
 /// Called now and then, by the thread that called the engine, with the fraction done in [0, 1],
 /// which never decreases; returns false to ask for a stop.
@@ -34,14 +35,24 @@ constexpr std::size_t ItemsInRange = 1024;
 class Job
 {
 public:
+  /// Which tasks are shared among several threads: all, or only those of steps that take less time
+  /// that way. What pays is found out by the clock; results are the same.
+  enum class Sharing
+  {
+    Always,
+    WherePaying
+  };
+
   /// One thread, and nobody watches.
   Job() = default;
 
   /// \param watcher if empty, nobody watches.
   /// \param threads if empty, one thread.
-  explicit Job(Watcher watcher, ParallelFor threads = {});
+  explicit Job(Watcher watcher, ParallelFor threads = {}, Sharing sharing = Sharing::Always);
 
   bool isParallel() const;
+  /// Always, unless the job was made otherwise.
+  Sharing sharing() const;
 
   /// The stretch of this job from one of its fractions to another. Work that is repeated may use
   /// the same stretch again: the watcher does not see that.

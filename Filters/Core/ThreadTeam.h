@@ -5,6 +5,7 @@
 #include "Job.h"
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
@@ -24,6 +25,10 @@ namespace geodesic
 /// that are left of the others'. Ranges, because neighbouring tasks of one loop go on in
 /// neighbouring tasks of the next, whose data are then at hand. For a moment after a loop, threads
 /// look for the next one; then they sleep.
+///
+/// A system may say that it has more processors than a team gets: other processes work, or a
+/// container has a quota. A thread that lets others run while it waits, and comes back late again
+/// and again, has no processor of its own. Then the team has a member less for a while.
 class ThreadTeam
 {
 public:
@@ -33,11 +38,13 @@ public:
   ThreadTeam(const ThreadTeam&) = delete;
   ThreadTeam& operator=(const ThreadTeam&) = delete;
 
-  /// Runs task(0) to task(count - 1), and returns when all have finished. Called by one thread at a
-  /// time, not by tasks. If tasks throw, one of their exceptions is thrown again.
-  void run(std::size_t count, const std::function<void(std::size_t)>& task);
+  /// Runs the tasks of a ParallelFor. Called by one thread at a time, not by tasks.
+  void run(std::size_t count, const std::function<void(std::size_t)>& task,
+    const std::function<void()>& wait = {});
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   // The numbers of the next task and of the one after the last. Tasks of all loops are numbered
   // through, so that nobody takes a task of one loop for one of another.
   struct alignas(64) Range
@@ -47,10 +54,16 @@ private:
   };
 
   void start();
+  void fitToMachine();
+  void grow(Clock::time_point now);
+  void share(std::size_t count);
+  void waitForOthers(std::size_t count, const std::function<void()>& wait);
   void help(std::size_t member);
-  void sleepUntilNext(std::uint64_t loops);
+  void letOthersRun(int& lateness);
+  void sleepUntilNext(std::size_t member, std::uint64_t loops);
   bool takeOne(std::size_t member);
   bool takeOneOf(Range& range);
+  void keepException();
 
   /// One for each thread, the caller's first.
   std::vector<Range> ranges_;
@@ -66,6 +79,17 @@ private:
   std::atomic<std::size_t> sleepers_{ 0 };
   std::atomic<bool> stops_{ false };
   std::condition_variable wake_;
+
+  /// How many members work, those with the lowest numbers; the others sleep. Any member may make
+  /// it less, the caller's thread alone more.
+  std::atomic<std::size_t> active_;
+  /// How many there were in the last loop; when they became more, when they are to become more
+  /// again, and how long they are to be fewer. See letOthersRun() for the last.
+  std::size_t members_;
+  Clock::time_point grown_;
+  Clock::time_point nextGrowth_;
+  Clock::duration pause_;
+  int lateness_ = 0;
 
   /// Guards thrown_, and the moment at which a thread falls asleep.
   std::mutex guard_;

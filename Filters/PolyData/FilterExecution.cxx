@@ -17,7 +17,8 @@ FilterExecution::FilterExecution(
   : filter_(filter)
   , stages_(std::move(stages))
   , job_([this](double done) { return this->tellFilter(done); },
-      teamOf(static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads())))
+      teamOf(static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads())),
+      Job::Sharing::WherePaying)
   , exchange_(exchange)
 {
 }

@@ -208,8 +208,8 @@ struct InputReader
     {
       this->cache.joinedPaths() = std::move(paths);
     }
-    coverFaces(
-      findCoveredFaces(mesh, source.faces, precision, joining.part(1.0, 1.0)), curves.curves);
+    coverFaces(findCoveredFaces(mesh, source.faces, precision, false, joining.part(1.0, 1.0)),
+      curves.curves);
     std::vector<SourceCurve> branches = curvesWhereRegionsBranch(mesh, curves.curves);
     std::move(branches.begin(), branches.end(), std::back_inserter(curves.curves));
     noteSource(surface, mesh, source, curves, this->plan.noteSourceBeyond, this->notes);
@@ -231,7 +231,8 @@ struct InputReader
   {
     const MeshPartition& partition = this->cache.surface().partition;
     std::vector<Id> own;
-    for (const CoveredFace& covered : findCoveredFaces(partition.mesh(), faces, precision, job))
+    for (const CoveredFace& covered :
+      findCoveredFaces(partition.mesh(), faces, precision, true, job))
     {
       if (partition.isOwn(covered.face))
       {

@@ -26,7 +26,8 @@ TaskModel::TaskModel(const std::vector<int>& numbersOfThreads)
 
 geodesic::ParallelFor TaskModel::parallelFor()
 {
-  return [this](std::size_t count, const std::function<void(std::size_t)>& task)
+  return [this](std::size_t count, const std::function<void(std::size_t)>& task,
+           const std::function<void()>&)
   {
     const double begin = now();
     std::vector<double> seconds(count);

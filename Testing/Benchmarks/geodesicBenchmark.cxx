@@ -417,8 +417,9 @@ std::vector<double> atPoints(
 /// A job on the threads that vtkSMPTools is set to use.
 geodesic::Job threads()
 {
-  return geodesic::Job(
-    {}, geodesic::teamOf(static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads())));
+  return geodesic::Job({},
+    geodesic::teamOf(static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads())),
+    geodesic::Job::Sharing::WherePaying);
 }
 
 /// As the filter sets them.

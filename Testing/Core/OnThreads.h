@@ -19,8 +19,9 @@ void together(std::size_t count, const std::function<void(std::size_t)>& work);
 void onSomeThreads(
   std::size_t threads, std::size_t count, const std::function<void(std::size_t)>& task);
 
-/// onSomeThreads() on three threads.
-inline void onThreads(std::size_t count, const std::function<void(std::size_t)>& task)
+/// onSomeThreads() on three threads, as a ParallelFor that nobody watches.
+inline void onThreads(std::size_t count, const std::function<void(std::size_t)>& task,
+  const std::function<void()>& = {})
 {
   onSomeThreads(3, count, task);
 }
@@ -29,8 +30,9 @@ inline void onThreads(std::size_t count, const std::function<void(std::size_t)>&
 inline std::vector<geodesic::ParallelFor> waysToRun()
 {
   using Task = std::function<void(std::size_t)>;
+  using Wait = std::function<void()>;
   std::vector<geodesic::ParallelFor> ways = { geodesic::ParallelFor(),
-    [](std::size_t count, const Task& task)
+    [](std::size_t count, const Task& task, const Wait&)
     {
       while (count > 0)
       {
@@ -39,8 +41,8 @@ inline std::vector<geodesic::ParallelFor> waysToRun()
     } };
   for (const std::size_t threads : { std::size_t(2), std::size_t(5) })
   {
-    ways.emplace_back(
-      [threads](std::size_t count, const Task& task) { onSomeThreads(threads, count, task); });
+    ways.emplace_back([threads](std::size_t count, const Task& task, const Wait&)
+      { onSomeThreads(threads, count, task); });
   }
   return ways;
 }

@@ -276,6 +276,20 @@ def signed_side(names):
     np.testing.assert_array_equal(signed[far] > 0, inside == (turns[inside][0] < 0))
 
 
+def cut(names):
+    """The halves of a tennis ball's cover have one area, and only the seam in common."""
+    areas = []
+    for half, sign in ((names["left"], 1), (names["right"], -1)):
+        assert (sign * point_array(data(half), "SignedGeodesicDistance") > -FLOAT).all()
+        area = simple.IntegrateVariables(Input=half)
+        areas.append(cell_array(data(area), "Area")[0])
+        simple.Delete(area)
+    assert abs(areas[0] - areas[1]) < 0.002 * areas[0]
+    whole = simple.IntegrateVariables(Input=names["ball"])
+    assert abs(sum(areas) - cell_array(data(whole), "Area")[0]) < 1e-6
+    simple.Delete(whole)
+
+
 def along_a_curve(names):
     """In the unrolled plane the curve at the arc length is as far as the distance says."""
     sheet = Bent(names["waves"])

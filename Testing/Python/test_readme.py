@@ -73,8 +73,48 @@ class HowTo(InFolder):
         inside = points[:, 0] > 0.43
         self.assertTrue(np.isinf(distances(names["around"])[inside]).all())
         self.assertTrue(np.isfinite(distances(names["around"])[points[:, 0] < 0.37]).all())
+        self.assert_cuts(names)
         height = np.arcsin(0.2 / 0.5) * 0.5  # of the last slice, along a meridian
         self.assertAlmostEqual(distances(names["nearest"]).max(), quarter + height, delta=0.002)
+
+    def assert_cuts(self, names):
+        strip = data(names["strip"])
+        heights = vtk_to_numpy(strip.GetPoints().GetData())[:, 2]
+        middle = np.arcsin(0.2 / 0.5)  # of the slice where the page has moved it to in the end
+        self.assertAlmostEqual(heights.max(), 0.5 * np.sin(middle + 0.1 / 0.5), delta=0.001)
+        self.assertAlmostEqual(heights.min(), 0.5 * np.sin(middle - 0.1 / 0.5), delta=0.001)
+        whole = simple.IntegrateVariables(Input=names["surface"])
+        whole.UpdatePipeline()
+        self.assertAlmostEqual(sum(names["areas"]), whole.CellData["Area"].GetRange()[0], delta=1e-12)
+        # Shortest paths are great circles: each corner between them is the angle of two planes.
+        corners = np.array(names["corners"]).reshape(4, 3)
+        normals = [np.cross(a, b) / np.linalg.norm(np.cross(a, b)) for a, b in zip(corners, np.roll(corners, -1, axis=0))]
+        angles = [np.pi - np.arccos(a @ b) for a, b in zip(normals, np.roll(normals, -1, axis=0))]
+        self.assertAlmostEqual(names["areas"][0], 0.25 * (sum(angles) - 2 * np.pi), delta=0.002)
+        point = data(simple.OutputPort(names["whole"], 1)).GetPoint(0)
+        self.assertLess(point[0], 0.001)
+        self.assertAlmostEqual(np.linalg.norm(point), 0.5, delta=0.001)
+
+    def test_a_split_along_a_closed_curve_has_areas_to_eight_digits(self):
+        """Against planes through the ball, which cut its facets along the same curve."""
+        ball = simple.Sphere(ThetaResolution=100, PhiResolution=100)
+        for normal in ((0.1, 0.2, 1), (1, -0.3, 0.4)):
+            ring = simple.Slice(Input=ball)
+            ring.SliceType.Origin, ring.SliceType.Normal = (0, 0, 0.1), normal
+            signed = simple.GeodesicDistanceField(Input=ball, Source=ring, GenerateSignedDistance=1,
+                                                  RefinementTolerance=0.0001)
+            sides = [[], []]
+            for invert in (0, 1):
+                plane = simple.Clip(Input=ball, ClipType="Plane", Invert=invert)
+                plane.ClipType.Origin, plane.ClipType.Normal = (0, 0, 0.1), normal
+                side = simple.Clip(Input=signed, ClipType="Scalar", Scalars=["POINTS", "SignedGeodesicDistance"],
+                                   Invert=invert)
+                side.Value = 0
+                for part, areas in zip((plane, side), sides):
+                    area = simple.IntegrateVariables(Input=part)
+                    area.UpdatePipeline()
+                    areas.append(area.CellData["Area"].GetRange()[0])
+            np.testing.assert_allclose(sorted(sides[1]), sorted(sides[0]), rtol=1e-8, atol=1e-8)
 
     def assert_table(self):
         with open("distances.csv") as file:

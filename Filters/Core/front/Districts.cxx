@@ -105,7 +105,8 @@ Districts::Districts(const TriangleMesh& mesh, const Job& job)
   {
     this->blocks_ = blocksOf(mesh, blocks, job);
   }
-  this->size_ = job.isParallel() ? blocks : 1;
+  this->most_ = job.isParallel() ? blocks : 1;
+  this->join(false);
 }
 
 void Districts::sort(std::vector<Id>& vertices) const

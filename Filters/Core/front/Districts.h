@@ -12,9 +12,9 @@ namespace geodesic
 {
 
 /// Which thread works on which vertices. Blocks of vertices are contiguous in space and of nearly
-/// equal size, so that most neighbours of a vertex are in its own block. With threads each block is
-/// a district; one thread has a single district, which needs less memory and no mail between
-/// districts.
+/// equal size, so that most neighbours of a vertex are in its own block. For several threads each
+/// block is a district. One thread has a single district, which needs less memory and no mail
+/// between districts; so have several threads while they do not pay (ThreadTrial).
 ///
 /// Blocks depend on the mesh alone. A front that processes the vertices of a batch block by block
 /// has the same result for any number of districts.
@@ -23,10 +23,15 @@ class Districts
 public:
   explicit Districts(const TriangleMesh& mesh, const Job& job = {});
 
-  /// The number of districts.
-  Id size() const { return this->size_; }
+  /// The number of districts, and the largest that there may be.
+  Id size() const { return this->areJoined_ ? 1 : this->most_; }
+  Id most() const { return this->most_; }
+  /// Whether all blocks are one district.
+  bool areJoined() const { return this->areJoined_; }
+  /// With several threads, makes one district of all blocks, or one of each.
+  void join(bool areJoined) { this->areJoined_ = areJoined || this->most_ == 1; }
   /// The district of a vertex.
-  Id of(Id vertex) const { return this->size_ == 1 ? 0 : this->blockOf(vertex); }
+  Id of(Id vertex) const { return this->areJoined_ ? 0 : this->blockOf(vertex); }
   /// The block of a vertex.
   Id blockOf(Id vertex) const { return this->blocks_.empty() ? 0 : this->blocks_[vertex]; }
   /// Sorts vertices by block, those of one block by number.
@@ -35,7 +40,8 @@ public:
   static constexpr Id Most = 256;
 
 private:
-  Id size_ = 1;
+  Id most_ = 1;
+  bool areJoined_ = true;
   /// Empty where there is a single block.
   std::vector<std::uint8_t> blocks_;
 };

@@ -7,6 +7,7 @@
 #include "front/FrontStart.h"
 #include "front/ProcessBatch.h"
 #include "front/ReceiveMail.h"
+#include "front/ThreadTrial.h"
 
 #include <algorithm>
 #include <iterator>
@@ -37,6 +38,7 @@ public:
     : front_(surface, options, retention)
     , workers_(options.job)
     , ranks_(front_, workers_.first().pool)
+    , trial_(options.job.sharing())
   {
   }
 
@@ -51,7 +53,7 @@ public:
     }
     startFront(this->front_, this->workers_.first(), this->ranks_, sources);
     this->result_.sourcesInFaces = std::move(sources.inFaces);
-    this->front_.retention.start(this->front_.districts.size(), this->result_.sourcesInFaces);
+    this->front_.retention.start(this->front_.districtNumbers.most(), this->result_.sourcesInFaces);
     this->addSourcesInHalo(sources.inHalo);
     this->receive();
     this->front_.options.job.reach(0.0);
@@ -221,6 +223,18 @@ private:
     this->front_.longestPath =
       std::min(this->front_.longestPath, this->front_.retention.longestPath());
     this->neededDistance_ = this->ranks_.neededDistance();
+    this->fitDistricts();
+  }
+
+  void fitDistricts()
+  {
+    const Districts& districts = this->front_.districtNumbers;
+    if (districts.most() > 1 &&
+      this->trial_.isSplit(this->workers_.takeWork(), ThreadTrial::Clock::now) ==
+        districts.areJoined())
+    {
+      this->front_.joinDistricts(!districts.areJoined());
+    }
   }
 
   void reportShortened(District& district)
@@ -360,6 +374,7 @@ private:
   FrontContext front_;
   FrontWorkers workers_;
   FrontOnRanks ranks_;
+  ThreadTrial trial_;
   FrontResult result_;
 
   /// The vertices of the current batch.

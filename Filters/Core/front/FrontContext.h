@@ -13,6 +13,7 @@
 #include "front/WaitingLists.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -62,14 +63,36 @@ struct FrontContext
     , districtNumbers(mesh, options.job)
     , vertices(mesh, options.relativeError > 0.0, options.keepArrivals, options.job)
     , complete(surface, options.maximumDistance)
-    , mailboxes(districtNumbers.size())
+    , mailboxes(districtNumbers.most())
     , mostFaces(std::min(surface.numberOfGlobalFaces(), MaximumFacesCrossed))
     , longestPath(options.corridor != nullptr ? options.corridor->length : Infinity)
   {
-    this->districts.reserve(this->districtNumbers.size());
-    for (Id number = 0; number < this->districtNumbers.size(); ++number)
+    this->districtNumbers.join(this->options.job.sharing() == Job::Sharing::WherePaying);
+    this->makeDistricts();
+  }
+
+  /// Between batches, makes one district of all, or one of each block. Changes no result.
+  void joinDistricts(bool areJoined)
+  {
+    std::vector<District> before = std::exchange(this->districts, {});
+    this->districtNumbers.join(areJoined);
+    this->makeDistricts();
+    for (District& district : before)
     {
-      this->districts.emplace_back(number, this->vertices, this->surface);
+      district.schedule.handOver(
+        [this](Id vertex) -> VertexSchedule& { return this->districtOf(vertex).schedule; });
+      district.lists.forEachGroup(
+        [this](WaitingLists::Group& group)
+        {
+          const Id apex = this->mesh.opposite(group.front().halfedge);
+          this->vertices[apex].facing = this->districtOf(apex).lists.addGroup(std::move(group));
+        });
+      district.passed.handOver([this](Id halfedge) -> PassedWindows&
+        { return this->districtOf(this->mesh.opposite(halfedge)).passed; });
+    }
+    for (District& district : this->districts)
+    {
+      district.next = district.schedule.outlook();
     }
   }
 
@@ -110,6 +133,17 @@ struct FrontContext
   double key = 0.0;
   /// The longest path that is looked for in the corridor.
   double longestPath;
+
+private:
+  void makeDistricts()
+  {
+    this->districts.clear();
+    this->districts.reserve(this->districtNumbers.size());
+    for (Id number = 0; number < this->districtNumbers.size(); ++number)
+    {
+      this->districts.emplace_back(number, this->vertices, this->surface);
+    }
+  }
 };
 
 /// Runs task(i) for i below the count. The memory of the next items is fetched in advance, so that

@@ -9,6 +9,7 @@
 #include "window/WindowPool.h"
 
 #include <atomic>
+#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -28,6 +29,8 @@ struct FrontWorker
   /// Over the whole solve: windows put on halfedges, and the largest relative error of a merge.
   std::uint64_t propagated = 0;
   double relativeError = 0.0;
+  /// How many windows were read or written since takeWork(); a list counts as some more.
+  std::uint64_t work = 0;
 
   /// Lets the watcher stop the work, about once a millisecond. To be called between lists.
   ///
@@ -35,6 +38,8 @@ struct FrontWorker
   void look(const Job& job, std::size_t windows)
   {
     constexpr std::size_t windowsPerLook = 1U << 12;
+    constexpr std::size_t workOfList = 8;
+    this->work += windows + workOfList;
     this->sinceLook_ += windows;
     if (this->sinceLook_ >= windowsPerLook)
     {
@@ -56,23 +61,27 @@ public:
     : job_(job)
     , slots_(job.isParallel() ? MostThreads : 1)
   {
-    this->slots_.front().isUsed = true;
   }
 
   /// The worker for work outside of tasks.
   FrontWorker& first() { return this->slots_.front().worker; }
 
-  /// Calls visit(FrontWorker&) for each worker that was used.
+  /// Calls visit(FrontWorker&) for each worker that was used, between runs.
   template <typename Visit>
   void forEach(Visit&& visit)
   {
-    for (WorkerSlot& slot : this->slots_)
+    for (std::size_t i = 0; i < this->end_; ++i)
     {
-      if (slot.isUsed)
-      {
-        visit(slot.worker);
-      }
+      visit(this->slots_[i].worker);
     }
+  }
+
+  /// The work of all workers since the last call.
+  std::uint64_t takeWork()
+  {
+    std::uint64_t work = 0;
+    this->forEach([&work](FrontWorker& worker) { work += std::exchange(worker.work, 0); });
+    return work;
   }
 
   /// Runs item(worker, i) for i below `items`, in parallel if there are several.
@@ -90,7 +99,7 @@ public:
     this->job_.tasks(items,
       [&](std::size_t i)
       {
-        const SlotLock lock(this->slots_);
+        const SlotLock lock(*this);
         item(lock.worker(), i);
       });
   }
@@ -103,22 +112,24 @@ private:
   {
     FrontWorker worker;
     std::atomic<bool> isTaken{ false };
-    bool isUsed = false;
   };
 
   /// Takes a free slot for a task. A thread first tries its last slot, whose memory is near.
   class SlotLock
   {
   public:
-    explicit SlotLock(std::vector<WorkerSlot>& slots)
+    explicit SlotLock(FrontWorkers& workers)
     {
       thread_local std::size_t last = 0;
-      while (slots[last].isTaken.exchange(true, std::memory_order_acquire))
+      while (workers.slots_[last].isTaken.exchange(true, std::memory_order_acquire))
       {
-        last = (last + 1) % slots.size();
+        last = (last + 1) % workers.slots_.size();
       }
-      this->slot_ = &slots[last];
-      this->slot_->isUsed = true;
+      this->slot_ = &workers.slots_[last];
+      std::size_t end = workers.end_.load(std::memory_order_relaxed);
+      while (end <= last && !workers.end_.compare_exchange_weak(end, last + 1))
+      {
+      }
     }
     ~SlotLock() { this->slot_->isTaken.store(false, std::memory_order_release); }
     SlotLock(const SlotLock&) = delete;
@@ -132,6 +143,8 @@ private:
 
   const Job& job_;
   std::vector<WorkerSlot> slots_;
+  /// One more than the number of the last worker that was used.
+  std::atomic<std::size_t> end_{ 1 };
 };
 
 }

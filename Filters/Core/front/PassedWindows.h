@@ -39,6 +39,17 @@ public:
   /// \param builder is overwritten.
   void cut(HalfedgeList& come, double length, WindowListBuilder& builder, WindowPool& pool) const;
 
+  /// Lets others remember the windows instead: of(halfedge).
+  template <typename Of>
+  void handOver(const Of& of)
+  {
+    for (const auto& [halfedge, windows] : this->lists_)
+    {
+      of(halfedge).lists_.emplace(halfedge, windows);
+    }
+    this->lists_.clear();
+  }
+
 private:
   /// So many windows of one halfedge are remembered. With 64 the number of windows that go on is
   /// the same.

@@ -121,6 +121,29 @@ public:
     }
   }
 
+  /// Lets all vertices wait in other schedules instead: scheduleOf(vertex).
+  template <typename ScheduleOf>
+  void handOver(const ScheduleOf& scheduleOf)
+  {
+    for (const WaitingVertex& waiting : this->heap_)
+    {
+      VertexSchedule& to = scheduleOf(waiting.vertex);
+      to.heap_.emplace_back();
+      to.rise(to.heap_.size() - 1, waiting);
+    }
+    for (const Id vertex : this->behind_)
+    {
+      scheduleOf(vertex).behind_.push_back(vertex);
+    }
+    for (const Id vertex : this->passed_)
+    {
+      scheduleOf(vertex).passed_.push_back(vertex);
+    }
+    this->heap_.clear();
+    this->behind_.clear();
+    this->passed_.clear();
+  }
+
   /// In the current batch, lets everything pass.
   void passAll() { this->last_ = Infinity; }
 

@@ -97,6 +97,27 @@ public:
     }
   }
 
+  /// Adds the lists of a vertex that has none here. \returns the number of their group.
+  Id addGroup(Group&& lists)
+  {
+    const Id group = this->takeUnused();
+    this->groups_[group] = std::move(lists);
+    return group;
+  }
+
+  /// Calls visit(Group&) for the lists of each vertex, in any order.
+  template <typename Visit>
+  void forEachGroup(Visit&& visit)
+  {
+    for (Group& lists : this->groups_)
+    {
+      if (!lists.empty())
+      {
+        visit(lists);
+      }
+    }
+  }
+
   /// Calls visit(const List&) for each list, in any order.
   template <typename Visit>
   void forEach(Visit&& visit) const

@@ -3,6 +3,7 @@
 
 #include "PolyData/Hash.h"
 #include "PolyData/reading/LineChains.h"
+#include "Tolerance.h"
 #include "mesh/PolygonTriangles.h"
 #include "mesh/SurfaceLocator.h"
 #include "mesh/SurfaceSnap.h"
@@ -176,6 +177,16 @@ struct CoverTest
       this->holds(by, 0.5 * (c + a)) && this->holds(by, middleOf(this->surface, face));
   }
 
+  double area2(std::size_t of) const
+  {
+    double area2 = 0.0;
+    for (std::size_t t = this->source.first[of]; t < this->source.first[of + 1]; ++t)
+    {
+      area2 += this->sourceMesh.shape(static_cast<Id>(t)).area2;
+    }
+    return area2;
+  }
+
   bool holds(std::size_t by, const Vec3& point) const
   {
     for (std::size_t t = this->source.first[by]; t < this->source.first[by + 1]; ++t)
@@ -260,7 +271,8 @@ std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
 }
 
 std::vector<CoveredFace> findCoveredFaces(const TriangleMesh& surface,
-  const std::vector<LocatedPolyline>& faces, double coordinatePrecision, const Job& job)
+  const std::vector<LocatedPolyline>& faces, double coordinatePrecision, bool isPart,
+  const Job& job)
 {
   const FaceTriangles source(faces);
   if (source.triangles.empty())
@@ -278,16 +290,28 @@ std::vector<CoveredFace> findCoveredFaces(const TriangleMesh& surface,
   const CoverTest test = { surface, source, mesh, coordinatePrecision };
   const ClosestFaces closest =
     SurfaceLocator(MeshPartition(mesh)).closest(middles, isWanted, coordinatePrecision, job);
-  std::vector<CoveredFace> covered;
+  std::vector<CoveredFace> inside;
+  std::vector<double> areas(faces.size(), 0.0);
   for (Id face = 0; face < surface.numberOfFaces(); ++face)
   {
     for (const ClosestFace& found : closest[face])
     {
       const std::size_t by = source.faces[mesh.inputFace(found.face.id)];
-      if (test.isCovered(face, by))
+      const bool isKnown = !inside.empty() && inside.back().face == face &&
+        inside.back().source == static_cast<Id>(by);
+      if (!isKnown && test.isCovered(face, by))
       {
-        covered.push_back({ face, faces[by].source });
+        inside.push_back({ face, static_cast<Id>(by) });
+        areas[by] += surface.shape(face).area2;
       }
+    }
+  }
+  std::vector<CoveredFace> covered;
+  for (const CoveredFace& found : inside)
+  {
+    if (isPart || areas[found.source] >= (1.0 - tolerance::CoveredArea) * test.area2(found.source))
+    {
+      covered.push_back({ found.face, faces[found.source].source });
     }
   }
   return covered;

@@ -36,13 +36,18 @@ struct CoveredFace
   Id source;
 };
 
-/// Finds the faces of a surface that lie in a source's face within the precision of coordinates:
-/// those that are the same, or were cut from the same polygon.
+/// Finds the faces of a surface that a source's face covers. The source's face consists of them
+/// within the precision of coordinates: it is one of them, or was cut into them. A source's face
+/// that also lies in parts of other faces covers none.
 ///
+/// \param isPart whether others have more of the surface: faces that lie in a source's face are
+/// then
+///        found, whether or not it consists of them.
 /// \returns ascending by face; a face may belong to several sources.
 /// \throws Aborted
 std::vector<CoveredFace> findCoveredFaces(const TriangleMesh& surface,
-  const std::vector<LocatedPolyline>& faces, double coordinatePrecision, const Job& job);
+  const std::vector<LocatedPolyline>& faces, double coordinatePrecision, bool isPart,
+  const Job& job);
 
 }
 

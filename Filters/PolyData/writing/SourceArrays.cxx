@@ -4,7 +4,7 @@
 #include "Errors.h"
 #include "PolyData/Memory.h"
 #include "PolyData/ranks/BorrowedValues.h"
-#include "PolyData/writing/UnmeshedTriangles.h"
+#include "PolyData/writing/RefinedSurface.h"
 #include "Trigonometry.h"
 #include "refinement/RefinedOnRanks.h"
 #include "source/CurvesOnPatch.h"

@@ -70,7 +70,8 @@ struct SolveCount
   Job job()
   {
     return Job({},
-      [this](std::size_t count, const std::function<void(std::size_t)>& task)
+      [this](std::size_t count, const std::function<void(std::size_t)>& task,
+        const std::function<void()>&)
       {
         this->solves = count;
         onThreads(count, task);

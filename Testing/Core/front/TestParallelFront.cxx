@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 using namespace geodesictest;
@@ -25,7 +26,8 @@ class Threads
 public:
   geodesic::ParallelFor parallelFor()
   {
-    return [this](std::size_t count, const std::function<void(std::size_t)>& task)
+    return [this](std::size_t count, const std::function<void(std::size_t)>& task,
+             const std::function<void()>&)
     {
       ++this->shared_;
       onThreads(count, task);
@@ -149,5 +151,61 @@ TEST(ParallelFrontOfManySources, HasTheArrivalsOfOneThreadWhereSourcesAreEqually
     EXPECT_EQ(alone.arrivals()[vertex].halfedge, shared.arrivals()[vertex].halfedge)
       << "vertex " << vertex;
     EXPECT_EQ(alone.arrivals()[vertex].x, shared.arrivals()[vertex].x) << "vertex " << vertex;
+  }
+}
+
+// Steep spikes: many batches of few windows.
+TEST(ParallelFrontWherePaying, ANarrowFrontWakesNobody)
+{
+  Random random(84000);
+  const TriangleMesh engine = engineMesh(bumpySheet(24, 24, 1, 10.0, random));
+  const std::vector<geodesic::SourceCurve> curves = { geodesic::pointCurve(
+    geodesic::SurfacePoint::atVertex(0)) };
+  for (const double relativeError : { 0.0, 0.01 })
+  {
+    geodesic::FrontOptions options;
+    options.relativeError = relativeError;
+    Threads always;
+    options.job = Job({}, always.parallelFor());
+    const DistanceField shared = geodesic::solve(engine, curves, options, KeepWindows::All);
+    EXPECT_GT(always.shared(), 100U);
+    Threads where;
+    options.job = Job({}, where.parallelFor(), Job::Sharing::WherePaying);
+    const DistanceField alone = geodesic::solve(engine, curves, options, KeepWindows::All);
+    EXPECT_EQ(where.shared(), 0U);
+    EXPECT_EQ(alone.vertexDistances(), shared.vertexDistances());
+  }
+}
+
+// The front is wide in the squares, narrow in the strips between them. Where it becomes wide, a
+// trial splits it; the time decides where that is, and where it is joined again.
+TEST(ParallelFrontWherePaying, HasTheBitsOfOneThreadWhereverItIsSplitAndJoined)
+{
+  Random random(83000);
+  PlainMesh mesh = bumpySheet(400, 60, 3, 0.3, random);
+  const auto isCutAway = [&mesh](const auto& triangle)
+  {
+    const auto& p = mesh.points[triangle[0]];
+    return std::fmod(p[0], 100.0) > 80.0 && p[1] > 2.0;
+  };
+  mesh.triangles.erase(
+    std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), isCutAway), mesh.triangles.end());
+  const TriangleMesh engine = engineMesh(mesh);
+  const std::vector<geodesic::SourceCurve> curves = { geodesic::pointCurve(
+    geodesic::SurfacePoint::atVertex(engine.triangle(0)[0])) };
+  const std::vector<MeshPoint> queries = randomPoints(mesh, 1000, random);
+  for (const double relativeError : { 0.0, 0.01 })
+  {
+    geodesic::FrontOptions options;
+    options.relativeError = relativeError;
+    const DistanceField alone = geodesic::solve(engine, curves, options, KeepWindows::All);
+    Threads threads;
+    options.job = Job({}, threads.parallelFor(), Job::Sharing::WherePaying);
+    const DistanceField shared = geodesic::solve(engine, curves, options, KeepWindows::All);
+    EXPECT_GT(threads.shared(), 0U);
+    EXPECT_EQ(alone.vertexDistances(), shared.vertexDistances());
+    EXPECT_EQ(alone.windowsPropagated(), shared.windowsPropagated());
+    EXPECT_EQ(alone.relativeErrorBound(), shared.relativeErrorBound());
+    EXPECT_EQ(valuesOf(alone, queries).queries, valuesOf(shared, queries).queries);
   }
 }

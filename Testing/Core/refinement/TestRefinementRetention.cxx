@@ -291,7 +291,8 @@ std::size_t countSolves(
 {
   std::size_t batches = 0;
   geodesic::FrontOptions options;
-  const auto threads = [&](std::size_t count, const std::function<void(std::size_t)>& task)
+  const auto threads = [&](std::size_t count, const std::function<void(std::size_t)>& task,
+                         const std::function<void()>&)
   {
     ++batches;
     for (std::size_t i = 0; i < count; ++i)
