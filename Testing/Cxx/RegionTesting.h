@@ -39,10 +39,15 @@ inline vtkSmartPointer<vtkPolyData> FacesOfRegion(const Region& region, bool ins
   return faces;
 }
 
-/// The faces of the region with the array One, which makes one source of them.
+/// The faces of the region with the array One, which makes one source of them. Without faces it has
+/// no points either, which would be a set of points.
 inline vtkSmartPointer<vtkPolyData> SourceOf(const Region& region)
 {
   auto faces = FacesOfRegion(region, true);
+  if (faces->GetNumberOfCells() == 0)
+  {
+    return vtkSmartPointer<vtkPolyData>::New();
+  }
   vtkNew<vtkIntArray> one;
   one->SetName("One");
   one->SetNumberOfTuples(faces->GetNumberOfCells());
