@@ -524,9 +524,8 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
       "of the surface, or 0 for no limit." },
     { this->GenerateTextureCoordinates &&
         !(this->TextureScale >= 0.0 && this->TextureScale < Infinity),
-      "TextureScale is not a finite number of at least 0: set the length of a texture's tile, in "
-      "the "
-      "units of the surface, or 0 for a round one." }
+      "TextureScale is not a finite number of at least 0: set the length of a texture's tile, "
+      "in the units of the surface, or 0 for a round one." }
   };
   for (const auto& [isWrong, message] : checks)
   {

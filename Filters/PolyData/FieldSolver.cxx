@@ -153,10 +153,7 @@ struct FieldSolver
     }
     const UnmeshedTriangles unmeshed(this->surface);
     RefinementOptions options = this->refinementOptions(unmeshed);
-    if (regions)
-    {
-      options.regionOf = [&regions](const SurfacePoint& point) { return regions->at(point); };
-    }
+    options.regions = regions ? &*regions : nullptr;
     solved.refined =
       addUnmeshedTriangles(unmeshed, this->request.maximumCells, options.cornerPoints,
         solved.field->vertexDistances(), geodesic::refine(*solved.field, options));

@@ -367,7 +367,7 @@ struct SurfaceReader
     }
   }
 
-  /// Takes the faces, in the memory of the triangles.
+  /// Takes the faces. Those of the mesh reuse the memory of the triangles, which are gone then.
   Faces takeFaces()
   {
     Faces faces;

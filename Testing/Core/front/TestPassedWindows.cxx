@@ -4,7 +4,6 @@
 
 #include "EngineSupport.h"
 #include "OnThreads.h"
-#include "Seeds.h"
 #include "truth/RandomMeshKinds.h"
 #include "truth/TestMeshes.h"
 #include "window/WindowSupport.h"
@@ -121,11 +120,8 @@ class RoughOrThin : public testing::TestWithParam<Kind>
 
 TEST_P(RoughOrThin, DistancesAreThoseOfTheBruteForceSolver)
 {
-  const Seeds seeds = seedsOfTest(meshesOfAKind(20));
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(meshesOfAKind(20), 91000))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 91000);
     const PlainMesh mesh = GetParam().make(random);
     expectTrueDistances(mesh, random);
   }
@@ -256,9 +252,8 @@ private:
 // As in MMP, whatever other windows of the list or of its vertex are due when.
 TEST(ThinFaces, ListsPassWhenTheFrontIsAsFarAsTheirNearestWindow)
 {
-  for (std::uint64_t seed = 0; seed < 10; ++seed)
+  for (Random& random : EachSeed(10))
   {
-    Random random(seed);
     for (const PlainMesh& plain :
       { openCylinder(random.between(50, 200), random.between(1, 4), 3000.0),
         torus(random.between(4, 8), random.between(20, 60), 30.0),
@@ -269,7 +264,7 @@ TEST(ThinFaces, ListsPassWhenTheFrontIsAsFarAsTheirNearestWindow)
       LateLists lists(mesh);
       propagate(mesh, { geodesic::pointCurve(SurfacePoint::atVertex(source)) }, {}, lists);
       EXPECT_GT(lists.all, 0U);
-      EXPECT_EQ(lists.late, 0U) << "of " << lists.all << ", seed " << seed;
+      EXPECT_EQ(lists.late, 0U) << "of " << lists.all;
     }
   }
 }
