@@ -16,11 +16,15 @@
  *
  * @par Source (port 1):
  * Each polyline is a curve, as are lines that meet (see SetJoinLines()); each point of a vertex
- * cell is a point source; polygons stand for their outlines; in data without other cells than
- * vertices each point is a source of its own. Of a vtkUnstructuredGrid the lines and vertices are
- * sources, of any other vtkPointSet the points. The source need not lie on the surface: its points
- * are put onto the closest points, and consecutive ones in different faces are joined by the
- * shortest path.
+ * cell is a point source; faces are regions; in data without other cells than vertices each point
+ * is a source of its own. Of a vtkUnstructuredGrid the vertices, lines and flat faces are sources,
+ * of any other vtkPointSet the points. The source need not lie on the surface: its points are put
+ * onto the closest points, and consecutive ones in different faces are joined by the shortest path.
+ * @par
+ * A region consists of the faces with one id (SetSourceIdArrayName()); without ids, of faces that
+ * meet in edges (SetJoinLines()). The edges that one of these faces uses are its outline, a curve.
+ * The faces of the surface that it covers, because they are its faces or were cut from the same
+ * polygons, belong to the source as a whole: their distance is 0.
  *
  * @par Composite inputs:
  * Each port takes such a data set, or a vtkMultiBlockDataSet, vtkPartitionedDataSet or
@@ -120,7 +124,8 @@ public:
    * make them, are joined to curves. On by default. A curve is a maximal chain of such lines
    * through points at which exactly two of them meet, also in different blocks or on different MPI
    * ranks. It runs as most of its lines do; its id is the lowest cell id among its lines. Polylines
-   * of more points stay as they are.
+   * of more points stay as they are. Faces with a common edge are joined to one region, whose id
+   * is that of its first face.
    */
   vtkSetMacro(JoinLines, bool);
   vtkGetMacro(JoinLines, bool);

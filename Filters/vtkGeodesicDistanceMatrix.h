@@ -22,7 +22,7 @@
  * @par Input:
  * Port 0 takes the surface: see vtkGeodesicAlgorithm, also for composite data, pieces and errors.
  * Port 1 takes the sources: each cell of a vtkPolyData is one (a line with those that it is joined
- * to, a polyline, a polygon, which stands for its outline, or a vertex cell with all its points);
+ * to, a polyline, a region of faces that meet, or a vertex cell with all its points);
  * where there are no cells, or vertex cells only, each point (of the vertex cells) is one. With
  * SourceType the boundary of the surface takes their place or comes in addition, each of its loops
  * as a source of its own. Port 2, optional, takes the targets: every point of a vtkPointSet, put

@@ -241,6 +241,10 @@ constexpr double CurveEndShare = 1e-3;
 /// value and the face: the rounding of every unfolding on the way.
 constexpr double IsolineValue = Tie;
 
+/// The share of a source's face that faces of the surface in it may leave out: the rounding of
+/// areas where coordinates have single precision. A face that is only partly in it is larger.
+constexpr double CoveredArea = 1e-6;
+
 /// Rays that meet their halfedge at a smaller angle (about the root of the rounding) run along it:
 /// the cosine of such an angle is 1 to the last digit, and rounding alone would decide where they
 /// go.

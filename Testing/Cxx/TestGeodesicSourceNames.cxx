@@ -275,7 +275,7 @@ void CheckGrid(Check& check)
     PointSources({ { 0.1, 0.1, 0 }, { 0.2, 0.3, 0 }, { 0.8, 0.8, 0 }, { 0.9, 0.2, 0 } })
       ->GetPoints());
   const std::array<vtkIdType, 4> ids = { 0, 1, 2, 3 };
-  grid->InsertNextCell(VTK_TRIANGLE, 3, ids.data());
+  grid->InsertNextCell(VTK_QUADRATIC_EDGE, 3, ids.data());
   grid->InsertNextCell(VTK_LINE, 2, ids.data());
   grid->InsertNextCell(VTK_VERTEX, 1, ids.data() + 3);
   grid->InsertNextCell(VTK_VERTEX, 1, ids.data() + 2);

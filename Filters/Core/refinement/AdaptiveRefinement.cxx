@@ -19,7 +19,7 @@ namespace
 bool isFrozen(const DistanceField& field, Id face)
 {
   const Triangle& corners = field.mesh().triangle(face);
-  return !field.knowsInside(face) ||
+  return !field.knowsInside(face) || field.isCovered(face) ||
     std::any_of(corners.begin(), corners.end(),
       [&](Id corner) { return !(field.vertexDistances()[corner] < Infinity); });
 }

@@ -42,6 +42,7 @@ struct SourceWindows
 };
 
 /// Joins the curves at their ends (CurveChains); windows and SourceInFace use the chains' numbers.
+/// No window leaves a face that a region covers: paths from inside begin at the outline.
 ///
 /// Emits linear windows to both sides of every segment, and circular windows from every vertex of a
 /// curve into its wedge: the directions at right angles or more to all its segments. A point where

@@ -87,9 +87,13 @@ struct ArrayKind
 using Choice = SourceArrayChoice;
 
 constexpr ArrayKind Kinds[] = { { &Choice::sourceIds, "SourceId", VTK_ID_TYPE, 1, sourceIdOf },
+  // A point in a region is its own closest point.
   { &Choice::closestPoints, "ClosestSourcePoint", VTK_DOUBLE, 3,
     [](const OutputPoint& point)
-    { return point.isReached() ? point.values.closestPoint : point.position; } },
+    {
+      const bool isOff = point.isReached() && point.distance > 0.0;
+      return isOff ? point.values.closestPoint : point.position;
+    } },
   // A point on the source may lie a rounding beside it.
   { &Choice::gradients, "DistanceGradient", VTK_DOUBLE, 3,
     [](const OutputPoint& point) { return point.distance > 0.0 ? point.gradient : Vec3(); } },
