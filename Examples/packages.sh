@@ -5,7 +5,7 @@
 # This release's number or, while it is in testing, its name.
 release=$({ . /etc/os-release || true; } 2> /dev/null; printf '%s' "${VERSION_ID:-${VERSION_CODENAME:-}}")
 
-# What a build with the plugin and a picture without a screen need.
+# What a build with the plugin and a picture without a screen need, and ParaView's window for its icons.
 build_packages=(g++ cmake ninja-build paraview paraview-dev python3-paraview python3-numpy
   libopenmpi-dev xvfb xauth libgl1-mesa-dri)
 # The version of plain VTK where ParaView has a VTK of its own, and what building against it needs.
@@ -15,18 +15,18 @@ plain_vtk_packages=()
 test_packages=()
 case $release in
   12 | 24.04) # ParaView 5.11
-    build_packages+=(qtbase5-dev qhelpgenerator-qt5)
+    build_packages+=(qtbase5-dev qhelpgenerator-qt5 libqt5svg5)
     plain_vtk=9.1
     plain_vtk_packages+=(libvtk9.1 libtbb-dev)
     ;;
   13) # ParaView 5.13
-    build_packages+=(qt6-base-dev python3-dev)
+    build_packages+=(qt6-base-dev qt6-svg-plugins python3-dev)
     plain_vtk=9.3
     plain_vtk_packages+=(libvtk9.3 libtbb-dev libjsoncpp-dev)
     test_packages+=(python3-pyvista python3-trimesh)
     ;;
   *) # ParaView 6, which uses Debian's VTK
-    build_packages+=(qt6-base-dev qt6-documentation-tools python3-dev libvtk9-dev libjsoncpp-dev)
+    build_packages+=(qt6-base-dev qt6-svg-plugins qt6-documentation-tools python3-dev libvtk9-dev libjsoncpp-dev)
     test_packages+=(python3-pyvista python3-trimesh)
     ;;
 esac

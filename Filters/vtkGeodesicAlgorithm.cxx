@@ -337,12 +337,12 @@ void vtkGeodesicAlgorithm::SetError(std::string message)
 void vtkGeodesicAlgorithm::Execute(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  geodesic::Exchange* waiting = nullptr;
+  geodesic::Exchange* exchange = nullptr; // as long as other ranks may wait for this one
   std::optional<geodesic::FilterExecution> execution;
   std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
   try
   {
-    waiting = &this->Internals->BeginExchange(this->GetController());
+    exchange = &this->Internals->BeginExchange(this->GetController());
     reserve = std::make_unique<char[]>(MemoryForMessages);
     const std::string wrong = this->FindWrongProperty();
     if (!wrong.empty())
@@ -350,13 +350,13 @@ void vtkGeodesicAlgorithm::Execute(
       throw geodesic::InputError(wrong);
     }
     const geodesic::ExecutionPlan plan = this->Plan();
-    execution.emplace(this, plan.allStages(), *waiting);
+    execution.emplace(this, plan.allStages(), *exchange);
     const geodesic::Inputs inputs =
       geodesic::readInputs(RequestOf(this, inputVector), plan, this->Internals->Cache, *execution);
     this->Compute(inputs, *execution, outputVector);
     const std::string said = this->Internals->Given.take(execution->notes(), this);
-    waiting->step(waiting->noMessages()); // until all ranks have come to their end
-    waiting = nullptr;
+    exchange->step(exchange->noMessages()); // until all ranks have come to their end
+    exchange = nullptr;
     if (!said.empty() && inputs.rank.showsNotes())
     {
       vtkWarningMacro(<< said);
@@ -371,13 +371,13 @@ void vtkGeodesicAlgorithm::Execute(
     reserve.reset();
     const geodesic::Stage stage = execution ? execution->stage() : geodesic::Stage::ReadSurface;
     const Failure failure = ExplainException(geodesic::rowOf(stage).doing, this->AdviceOnMemory());
-    this->Fail(failure.message, failure.isSurfaceKept, waiting, inputVector, outputVector);
+    this->Fail(failure.message, failure.isSurfaceKept, exchange, inputVector, outputVector);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicAlgorithm::Fail(const std::string& message, bool isSurfaceKept,
-  geodesic::Exchange* waiting, vtkInformationVector** inputVector,
+  geodesic::Exchange* exchange, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
@@ -385,11 +385,11 @@ void vtkGeodesicAlgorithm::Fail(const std::string& message, bool isSurfaceKept,
     vtkDataObject::GetData(outputVector, port)->Initialize(); // frees what there is of it
   }
   this->ResetResults();
-  if (!isSurfaceKept || (waiting && waiting->numberOfRanks() > 1))
+  if (!isSurfaceKept || (exchange && exchange->numberOfRanks() > 1))
   {
     this->Internals->Cache.release();
   }
-  this->SetError(waiting ? waiting->fail(message) : message);
+  this->SetError(exchange ? exchange->fail(message) : message);
   if (!this->ErrorMessage.empty())
   {
     vtkErrorMacro(<< this->ErrorMessage);

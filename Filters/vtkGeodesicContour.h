@@ -3,20 +3,17 @@
  * @class   vtkGeodesicContour
  * @brief   exact lines of equal geodesic distance: offset curves on a triangle mesh
  *
- * vtkGeodesicContour draws on a surface the lines whose points have a given geodesic distance (the
- * length of the shortest path *on* the surface) to the nearest point of a source: points, open and
- * closed polylines, the surface's boundary, or any mix of them. They are the offset curves of the
- * source, such as tool paths at equal steps.
+ * vtkGeodesicContour draws on a surface the lines whose points have a given geodesic distance to
+ * the nearest point of a source: points, open and closed polylines, the surface's boundary, or any
+ * mix of them. They are the offset curves of the source, such as tool paths at equal steps.
  *
  * @par Algorithm:
  * In a face the distance is the least of a few functions, each of which is the distance from an
- * unfolded point or, where a segment of a curve is nearest, from a line (Bommes and Kobbelt 2007,
- * see vtkGeodesicDistanceField). So the lines are made of arcs of circles and straight pieces, with
- * corners where two paths are equally long. They are drawn face by face from the windows, not from
- * an interpolant: no mesh is refined, and all points are exactly at the value, up to rounding of
- * double-precision numbers. Only the arcs between them are replaced by chords, which are nowhere
- * farther from their arc than ChordTolerance. A point on an edge of the mesh is solved once for all
- * faces around, so that lines join without a tolerance.
+ * unfolded point or, where a segment of a curve is nearest, from a line (see
+ * vtkGeodesicDistanceField). So the lines are made of arcs of circles and straight pieces, drawn
+ * face by face from the windows, not from an interpolant: all points are exactly at the value, up
+ * to rounding, and chords are nowhere farther from their arc than ChordTolerance. A point on an
+ * edge of the mesh is solved once for all faces around, so that lines join without a tolerance.
  *
  * @par Input:
  * Port 0 takes the surface, port 1, optional, the source: see vtkGeodesicAlgorithm, also for
@@ -24,13 +21,12 @@
  *
  * @par Output:
  * A vtkPolyData, also of composite inputs, with a polyline for each line; a closed one has its
- * first point again at the end. Lines that meet share points. They run so that the distance grows
- * to their left, seen with the normals of the faces towards the viewer. If the surface is not
- * consistently oriented, their direction says nothing, and a warning tells so. They end at the
- * boundary and, in shared points, at edges of three and more faces. Lines are in the ascending
- * order of their values, behind those of 0. Values over the largest distance give no lines. A value
- * of 0 gives the source as it lies on the surface, curves in their own direction and a vertex for
- * each point. There are
+ * first point again at the end. Lines that meet share points. The distance grows to the left of a
+ * line, seen with the normals of the faces towards the viewer; if the surface is not consistently
+ * oriented, directions say nothing, and a warning tells so. Lines end at the boundary and, in
+ * shared points, at edges of three and more faces. They are in the ascending order of their values,
+ * behind those of 0: the source as it lies on the surface, curves in their own direction and a
+ * vertex for each point. There are
  * - cell data array and point data array `GeodesicDistance`: the value,
  * - point data array `LineId`: the number of the cell that the point belongs to; if lines share the
  *   point, the first of them. Points stand in the order of their lines, so that a table of the

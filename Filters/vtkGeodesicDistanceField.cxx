@@ -25,6 +25,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -290,7 +291,8 @@ public:
   SourceArrays Arrays() const
   {
     return { *this->Inputs.surface, this->Inputs.sources.curves, this->Inputs.sources.ids,
-      this->Inputs.sources.firstBoundary, this->TextureTile(), this->Choice };
+      this->Inputs.sources.firstBoundary, this->TextureTile(),
+      this->Self->TextureRepeats ? 0.0 : 0.5, this->Choice };
   }
 
   ValuesBySource FindSources(const SolvedSurface& solved, bool isRefined) const
@@ -421,9 +423,57 @@ public:
         distances->GetPointer(0), unreached, output);
     }
     double* first = distances->GetPointer(0);
+    this->TakeFarthest(first, output);
     std::replace(first, first + distances->GetNumberOfTuples(), Infinity, unreached);
     output->GetPointData()->AddArray(distances);
     output->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
+  }
+
+  /// Looks at the points of triangles, where those that are not reached are infinitely far.
+  void TakeFarthest(const double* distances, vtkPolyData* output) const
+  {
+    vtkGeodesicDistanceField* self = this->Self;
+    forEachCell(output->GetPolys(),
+      [&](vtkIdType size, const vtkIdType* ids)
+      {
+        for (vtkIdType i = 0; i < size; ++i)
+        {
+          const double distance = distances[ids[i]];
+          if (distance == Infinity)
+          {
+            self->HasUnreachedPoints = true;
+          }
+          else if (distance > self->LargestDistance)
+          {
+            self->LargestDistance = distance;
+            output->GetPoint(ids[i], self->FarthestPoint);
+          }
+        }
+      });
+  }
+
+  /// All ranks call this, each with what it has of the output.
+  void ShareFarthest() const
+  {
+    vtkGeodesicDistanceField* self = this->Self;
+    struct Farthest
+    {
+      double distance;
+      std::array<double, 3> place;
+      bool hasUnreached;
+    };
+    Farthest own = { self->LargestDistance, {}, self->HasUnreachedPoints };
+    std::copy_n(self->FarthestPoint, 3, own.place.begin());
+    for (const Farthest& other : valuesOfRanks(this->Execution.exchange(), own))
+    {
+      self->HasUnreachedPoints = self->HasUnreachedPoints || other.hasUnreached;
+      if (other.distance > own.distance)
+      {
+        own = other;
+      }
+    }
+    self->LargestDistance = own.distance;
+    std::copy_n(own.place.begin(), 3, self->FarthestPoint);
   }
 
   void WriteFieldData(const SourceFrames& frames, vtkDataObject* output) const
@@ -524,9 +574,8 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
       "of the surface, or 0 for no limit." },
     { this->GenerateTextureCoordinates &&
         !(this->TextureScale >= 0.0 && this->TextureScale < Infinity),
-      "TextureScale is not a finite number of at least 0: set the length of a texture's tile, in "
-      "the "
-      "units of the surface, or 0 for a round one." }
+      "TextureScale is not a finite number of at least 0: set the length of a texture's tile, "
+      "in the units of the surface, or 0 for a round one." }
   };
   for (const auto& [isWrong, message] : checks)
   {
@@ -554,6 +603,9 @@ void vtkGeodesicDistanceField::ResetResults()
   this->RelativeErrorBound = 0.0;
   this->InterpolationErrorBound = Infinity;
   this->SeamPointsJoined = 0;
+  this->LargestDistance = 0.0;
+  std::fill_n(this->FarthestPoint, 3, 0.0);
+  this->HasUnreachedPoints = false;
 }
 
 //------------------------------------------------------------------------------
@@ -589,11 +641,14 @@ void vtkGeodesicDistanceField::Compute(
   if (!inputs.rank.isWorking())
   {
     worker.WriteNothing(result, output);
-    return;
   }
-  worker.NoteReplacedArrays(result.isRefined);
-  worker.WriteSurface(result, output, writing);
-  if (inputs.rank.writesSource())
+  else
+  {
+    worker.NoteReplacedArrays(result.isRefined);
+    worker.WriteSurface(result, output, writing);
+  }
+  worker.ShareFarthest();
+  if (inputs.rank.isWorking() && inputs.rank.writesSource())
   {
     writeCurves(inputs.patch->mesh(), inputs.surface->scale, inputs.sources.curves,
       inputs.sources.ids, result.bySource.arcLengthsOfCurves,
@@ -631,10 +686,15 @@ void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateSourceAngle: " << onOff(this->GenerateSourceAngle) << "\n";
   os << indent << "GenerateTextureCoordinates: " << onOff(this->GenerateTextureCoordinates) << "\n";
   os << indent << "TextureScale: " << this->TextureScale << "\n";
+  os << indent << "TextureRepeats: " << onOff(this->TextureRepeats) << "\n";
   os << indent << "WindowsPropagatedPerEdge: " << this->WindowsPropagatedPerEdge << "\n";
   os << indent << "SourceLength: " << this->SourceLength << "\n";
   os << indent << "SourceSnapDistance: " << this->SourceSnapDistance << "\n";
   os << indent << "RelativeErrorBound: " << this->RelativeErrorBound << "\n";
   os << indent << "InterpolationErrorBound: " << this->InterpolationErrorBound << "\n";
   os << indent << "SeamPointsJoined: " << this->SeamPointsJoined << "\n";
+  os << indent << "LargestDistance: " << this->LargestDistance << "\n";
+  os << indent << "FarthestPoint: " << this->FarthestPoint[0] << " " << this->FarthestPoint[1]
+     << " " << this->FarthestPoint[2] << "\n";
+  os << indent << "HasUnreachedPoints: " << onOff(this->HasUnreachedPoints) << "\n";
 }

@@ -4,9 +4,8 @@
  * @brief   exact geodesic distance from points, curves and boundaries on a triangle mesh
  *
  * vtkGeodesicDistanceField puts on every point of a surface the length of the shortest path *on*
- * the surface to the nearest point of a source. The source is made of points, open or closed
- * polylines, the surface's boundary, or any mix of them, and the segments of a polyline count with
- * all their points, not only with their ends.
+ * the surface to the nearest point of a source: points, open or closed polylines (all points of
+ * their segments count), the surface's boundary, or any mix of them.
  *
  * @par Algorithm:
  * The filter implements Bommes and Kobbelt (2007), who extend the window propagation of Mitchell,
@@ -23,20 +22,12 @@
  * and Wang (2009), the order of the front by vertices, which handles the windows around a vertex
  * together, from Qin et al. (2016).
  *
- * @par
- * In approximate mode (SetAccuracy()) neighboring windows are merged as long as that makes no
- * distance smaller than the exact one by more than RelativeError; no distance is larger. This is
- * faster, needs less memory, and is certified: see GetRelativeErrorBound().
- *
- * @par
- * Exact values at points do not make an exact picture: within a triangle VTK interpolates linearly,
- * and the distance is not linear. With RefineMesh, triangles are split where the interpolant
- * differs from the distance by more than a tolerance, at edges as well as inside faces, and the new
- * points get their distance from the windows. The geometry of the surface does not change: each
- * new point lies on a triangle of the input. How far the interpolant of the output is from the
- * distance, anywhere, is certified: see GetInterpolationErrorBound(). In approximate mode this
- * second bound is against the computed field, so that the two bounds add up: the output differs
- * from the exact distance d by at most RelativeErrorBound * d + InterpolationErrorBound.
+ * @par Accuracy:
+ * In approximate mode (SetAccuracy()) neighboring windows are merged: distances are then at most
+ * the exact ones, and smaller by no more than RelativeError. With RefineMesh triangles are split,
+ * on their own planes, until VTK's linear interpolant is within a tolerance of the computed
+ * distance everywhere. Both bounds are certified: interpolated values differ from the exact
+ * distance d by at most GetRelativeErrorBound() * d + GetInterpolationErrorBound().
  *
  * @par Input:
  * Port 0 takes the surface, port 1, optional, the source: see vtkGeodesicAlgorithm, also for
@@ -45,22 +36,17 @@
  * @par Output:
  * Port 0 has the surface as triangles, with all points of the input in order, then those that
  * refinement has added. Of a composite surface it has the structure and the names
- * (GetOutputDataObject(0); GetOutput() is null then), and each block has its own points and arrays.
- * There are
+ * (GetOutputDataObject(0); GetOutput() is null then), and each block has its own points and arrays:
  * - point data array `GeodesicDistance` (or DistanceArrayName), in double precision,
- * - if they are asked for, point data arrays `SourceId`, `ClosestSourcePoint`, `DistanceGradient`,
- *   `SignedGeodesicDistance`, `SourceArcLength`, `SourceAngle` and `SourceTextureCoordinates`: see
- *   SetGenerateSourceIds() and the properties that follow it,
- * - cell data array `OriginalCellIds`, where RefineMesh was done: the cell of the input (of the
- *   block) that each triangle is a part of,
- * - field data arrays `WindowsPropagatedPerEdge`, `SourceLength`, `SourceSnapDistance`,
- *   `RelativeErrorBound`, `InterpolationErrorBound` and `SeamPointsJoined`, on the whole and on
- *   each block: see the getters of these names; with SetGenerateSourceAngle() also `SourceFrame`.
+ * - if they are asked for, the point data arrays of SetGenerateSourceIds() and of the properties
+ *   that follow it,
+ * - cell data array `OriginalCellIds`, if the mesh was refined: the cell of the input (of the
+ * block) that each triangle is a part of,
+ * - field data arrays with the names of the getters below; with GenerateSourceAngle `SourceFrame`.
  * @par
  * Port 1 has the source as it lies on the surface: polylines with a point at every mesh edge that
- * they cross, and a vertex for each point source, with the cell data array `SourceId`: the part of
- * the source that each comes from; with SetGenerateSourceArcLength() also the point data array
- * `SourceArcLength`.
+ * they cross, and a vertex for each point source, with the cell data array `SourceId` and, with
+ * GenerateSourceArcLength, the point data array `SourceArcLength`.
  * @par
  * The page Reference (Filters/Reference.md) says what happens to the input's data and at borders of
  * blocks, how the arrays are measured exactly, where they jump, and what the bounds are bounds of.
@@ -183,11 +169,11 @@ public:
 
   ///@{
   /**
-   * The precision of the points of output port 0: SINGLE_PRECISION, DOUBLE_PRECISION, or, the
-   * default, DEFAULT_PRECISION: double where refinement has added points (to the block of a
-   * composite surface; if ranks share a surface, to any block of any rank), otherwise the input's
-   * points themselves. GetInterpolationErrorBound() holds for the points as they are stored. Output
-   * port 1 has double precision always.
+   * The precision of the points of output port 0: SINGLE_PRECISION, DOUBLE_PRECISION, or
+   * DEFAULT_PRECISION, the default: double where refinement has added points (to the block; if
+   * ranks share a surface, to any block), otherwise the input's points. The bound of
+   * GetInterpolationErrorBound() is for the stored points. Output port 1 is always in double
+   * precision.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -228,11 +214,9 @@ public:
 
   ///@{
   /**
-   * What stands in the distance array, and in SignedGeodesicDistance, SourceArcLength, SourceAngle
-   * and SourceTextureCoordinates, at points that no path connects to the source, inside barriers
-   * and beyond MaximumDistance: +infinity (the default), NaN, or CustomUnreachedValue, for filters
-   * and files that need finite numbers. The other arrays say which points are not reached in their
-   * own ways.
+   * The distance, arc length, angle and texture coordinates of points that are not reached:
+   * +infinity (the default), NaN, or CustomUnreachedValue, for filters and files that need finite
+   * numbers. No path reaches points in barriers, beyond MaximumDistance, and of other components.
    */
   vtkSetClampMacro(UnreachedValue, int, UNREACHED_INFINITY, UNREACHED_CUSTOM);
   vtkGetMacro(UnreachedValue, int);
@@ -252,10 +236,9 @@ public:
 
   ///@{
   /**
-   * Whether points that no triangle of the output uses are left out of port 0, of each block of a
-   * composite one. The others keep their order and all of their data, new points of a refined
-   * surface after those of the input. Off by default: then the output has all points of the input,
-   * with their numbers. Unused points do not change distances in either case.
+   * Whether points that no triangle of the output uses are left out of port 0; the others keep
+   * their order and their data. Off by default: the output has all points of the input, with their
+   * numbers.
    */
   vtkSetMacro(RemoveUnusedPoints, bool);
   vtkGetMacro(RemoveUnusedPoints, bool);
@@ -272,11 +255,10 @@ public:
 
   ///@{
   /**
-   * Whether the output has the point array SourceId (vtkIdType): which part of the source is
-   * nearest, as the number of a cell on port 1 (over all blocks in their order), or of a point
-   * where a block has no cells or vertex cells only; the loops of the boundary, where that is a
-   * source, are numbered after these. -1 where a point is not reached. Off by default. Output port
-   * 1 always has a cell array of that name and meaning.
+   * Whether the output has the point array SourceId (vtkIdType): the nearest part of the source,
+   * as the number of a cell on port 1 (over all blocks in their order), or of a point if a block
+   * has no cells or vertex cells only; loops of the boundary follow. -1 where a point is not
+   * reached. Off by default.
    *
    * This and the arrays that follow never change the distance. In approximate mode all but
    * DistanceGradient take the time of the exact field, too.
@@ -289,8 +271,7 @@ public:
   ///@{
   /**
    * Whether the output has the point array ClosestSourcePoint (3 doubles): the point of the source
-   * where a shortest path ends, in space; the point itself where it is not reached. It lies on the
-   * part of the source that SourceId names. Off by default.
+   * where a shortest path ends; the point itself where it is not reached. Off by default.
    */
   vtkSetMacro(GenerateClosestPoints, bool);
   vtkGetMacro(GenerateClosestPoints, bool);
@@ -310,12 +291,11 @@ public:
 
   ///@{
   /**
-   * Whether the output has the point array SignedGeodesicDistance: the distance, positive where a
-   * shortest path meets the curve from the left of its direction, seen with the normals of the
-   * faces towards the viewer, and negative on its right. The distance from points and from the
-   * boundary is positive. 0 on the source, UnreachedValue where a point is not reached. Off by
-   * default. GetInterpolationErrorBound() does not cover this array, whose sign jumps. A surface
-   * with edges of three and more faces, or faces of opposite orientation side by side, is an error.
+   * Whether the output has the point array SignedGeodesicDistance: positive where a shortest path
+   * meets the curve from the left of its direction (normals towards the viewer), negative on its
+   * right; positive from points and the boundary; UnreachedValue where a point is not reached. Off
+   * by default. GetInterpolationErrorBound() does not cover this array, whose sign jumps. An edge
+   * of three and more faces, or faces of opposite orientation side by side, is an error.
    */
   vtkSetMacro(GenerateSignedDistance, bool);
   vtkGetMacro(GenerateSignedDistance, bool);
@@ -324,10 +304,9 @@ public:
 
   ///@{
   /**
-   * Whether the output has the point array SourceArcLength: how far along its part of the source
-   * the point ClosestSourcePoint is, as the length of the line from its first point, on the line as
-   * it lies on the surface. 0 for a point source, UnreachedValue where a point is not reached. Off
-   * by default. Output port 1 has a point array of the same name and meaning.
+   * Whether the output has the point array SourceArcLength: the length of the source's line, on the
+   * surface, from its first point to ClosestSourcePoint. 0 for a point source, UnreachedValue where
+   * a point is not reached. Off by default.
    */
   vtkSetMacro(GenerateSourceArcLength, bool);
   vtkGetMacro(GenerateSourceArcLength, bool);
@@ -337,14 +316,11 @@ public:
   ///@{
   /**
    * Whether the output has the point array SourceAngle: the direction, in radians, in which a
-   * shortest path leaves ClosestSourcePoint, seen with the normals of the faces towards the viewer:
-   * around a point source counterclockwise from the first axis of the point's frame, from a curve
-   * from the curve's direction, positive on its left. 0 on the source, UnreachedValue where a point
-   * is not reached. Off by default.
-   *
-   * The output then also has the field data array SourceFrame with 9 components: for each part of
-   * the source, by its SourceId, three unit vectors one after another: the direction of angle 0,
-   * the one of pi / 2, and the normal.
+   * shortest path leaves ClosestSourcePoint (normals towards the viewer): around a point
+   * counterclockwise from the first axis of its frame, from a curve from its direction, positive on
+   * its left. 0 on the source, UnreachedValue where a point is not reached. Off by default. The
+   * field data array SourceFrame has three unit vectors for each part of the source: the direction
+   * of angle 0, the one of pi / 2, and the normal.
    */
   vtkSetMacro(GenerateSourceAngle, bool);
   vtkGetMacro(GenerateSourceAngle, bool);
@@ -356,9 +332,8 @@ public:
    * Whether the output has the point array SourceTextureCoordinates, as active texture coordinates
    * (u, v): around a curve SourceArcLength and SignedGeodesicDistance, around a point source the
    * distance times the cosine and the sine of SourceAngle (the logarithmic map), all divided by
-   * TextureScale. UnreachedValue, twice, where a point is not reached. Off by default. With
-   * RefineMesh triangles are split as by RefineSourceBorders, which need not be on. The surface
-   * must be oriented as for SetGenerateSignedDistance().
+   * TextureScale. Off by default. Includes RefineSourceBorders; the surface must be oriented as for
+   * SetGenerateSignedDistance().
    */
   vtkSetMacro(GenerateTextureCoordinates, bool);
   vtkGetMacro(GenerateTextureCoordinates, bool);
@@ -367,12 +342,23 @@ public:
 
   ///@{
   /**
-   * The length on the surface after which a texture repeats, in the units of the surface. 0 stands
-   * for a round length, 1, 2 or 5 times a power of ten, near a tenth of the diagonal of the
-   * surface's bounding box, not over it. 0 by default.
+   * The length on the surface after which a texture repeats, in the units of the surface. 0, the
+   * default, stands for 1, 2 or 5 times a power of ten, near a tenth of the bounding box's
+   * diagonal.
    */
   vtkSetMacro(TextureScale, double);
   vtkGetMacro(TextureScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a texture is laid in tiles that begin at the source (the default). Without this
+   * coordinates from 0 to 1 are one picture, TextureScale wide: its middle is at a point source; it
+   * begins where a curve does, and the curve runs through the middle of its height.
+   */
+  vtkSetMacro(TextureRepeats, bool);
+  vtkGetMacro(TextureRepeats, bool);
+  vtkBooleanMacro(TextureRepeats, bool);
   ///@}
 
   ///@{
@@ -409,11 +395,10 @@ public:
 
   ///@{
   /**
-   * After an execution with RefineMesh: what is certified about the difference between the linear
-   * interpolant of the output and the computed distance, anywhere on triangles that are reached and
-   * have a point within MaximumDistance, in the units of the surface. At most the tolerance, unless
-   * MaximumNumberOfCells was reached, or the tolerance is near the rounding of distances or of
-   * coordinates; a warning tells of each. Infinite where the surface was not refined.
+   * After an execution with RefineMesh: the certified difference between the linear interpolant of
+   * the output and the computed distance, anywhere on triangles that are reached and have a point
+   * within MaximumDistance, in the units of the surface. At most the tolerance, or a warning says
+   * why not. Infinite if the surface was not refined.
    */
   vtkGetMacro(InterpolationErrorBound, double);
   ///@}
@@ -426,6 +411,21 @@ public:
    */
   vtkGetMacro(SeamPointsJoined, vtkIdType);
   ///@}
+
+  ///@{
+  /**
+   * After an execution: the largest distance at the points of the output's triangles, on all ranks,
+   * and where it is: the first such point, in space. Points that are not reached do not count. The
+   * place is the origin as long as the largest distance is 0.
+   */
+  vtkGetMacro(LargestDistance, double);
+  vtkGetVector3Macro(FarthestPoint, double);
+  ///@}
+
+  /**
+   * After an execution: whether a point of the output's triangles is not reached, on any rank.
+   */
+  vtkGetMacro(HasUnreachedPoints, bool);
 
 protected:
   vtkGeodesicDistanceField();
@@ -467,12 +467,16 @@ private:
   bool GenerateSourceAngle = false;
   bool GenerateTextureCoordinates = false;
   double TextureScale = 0.0;
+  bool TextureRepeats = true;
   double WindowsPropagatedPerEdge = 0.0;
   double SourceLength = 0.0;
   double SourceSnapDistance = 0.0;
   double RelativeErrorBound = 0.0;
   double InterpolationErrorBound = std::numeric_limits<double>::infinity();
   vtkIdType SeamPointsJoined = 0;
+  double LargestDistance = 0.0;
+  double FarthestPoint[3] = { 0.0, 0.0, 0.0 };
+  bool HasUnreachedPoints = false;
 };
 
 #endif

@@ -97,11 +97,21 @@ void vtkGeodesicDistanceFieldFromDrawnCurve::SetCurveClosed(bool closed)
 }
 
 //------------------------------------------------------------------------------
+void vtkGeodesicDistanceFieldFromDrawnCurve::SetPointsOnly(bool pointsOnly)
+{
+  if (this->PointsOnly != pointsOnly)
+  {
+    this->PointsOnly = pointsOnly;
+    this->JoinCurvePoints();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkGeodesicDistanceFieldFromDrawnCurve::JoinCurvePoints()
 {
   const vtkIdType number = this->GetNumberOfCurvePoints();
   vtkNew<vtkCellArray> lines;
-  if (number > 0)
+  if (number > 0 && !this->PointsOnly)
   {
     const vtkIdType size = this->CurveClosed && number > 2 ? number + 1 : number;
     lines->InsertNextCell(static_cast<int>(size));
@@ -150,4 +160,5 @@ void vtkGeodesicDistanceFieldFromDrawnCurve::PrintSelf(ostream& os, vtkIndent in
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfCurvePoints: " << this->GetNumberOfCurvePoints() << "\n";
   os << indent << "CurveClosed: " << (this->CurveClosed ? "On" : "Off") << "\n";
+  os << indent << "PointsOnly: " << (this->PointsOnly ? "On" : "Off") << "\n";
 }

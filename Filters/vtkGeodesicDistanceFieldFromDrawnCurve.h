@@ -8,8 +8,8 @@
  * widget with which a curve is drawn in a view can be tied to the filter directly, as ParaView does
  * it. The points need not lie on the surface: each is put onto the closest point of the surface,
  * with a warning if that is over half of the surface's diagonal away, and consecutive ones are
- * joined by the shortest path between them on the surface. One point is a point source; without
- * points there is an error, unless the boundary is the source.
+ * joined by the shortest path between them on the surface, unless PointsOnly is on. One point is a
+ * point source; without points there is an error, unless the boundary is the source.
  *
  * The polyline is on input port 1: do not connect anything else there.
  *
@@ -67,6 +67,16 @@ public:
   vtkBooleanMacro(CurveClosed, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the points are not joined: each is a point source, whose number is its `SourceId`. Off
+   * by default.
+   */
+  void SetPointsOnly(bool pointsOnly);
+  vtkGetMacro(PointsOnly, bool);
+  vtkBooleanMacro(PointsOnly, bool);
+  ///@}
+
   /**
    * Connects the curve anew: an executive that is exchanged, as ParaView does it, takes what was
    * connected with it.
@@ -84,11 +94,12 @@ private:
   vtkGeodesicDistanceFieldFromDrawnCurve(const vtkGeodesicDistanceFieldFromDrawnCurve&) = delete;
   void operator=(const vtkGeodesicDistanceFieldFromDrawnCurve&) = delete;
 
-  /// Makes one polyline of all the points.
+  /// Makes one polyline of all the points, or none.
   void JoinCurvePoints();
 
   vtkNew<vtkPolyData> Curve;
   bool CurveClosed = false;
+  bool PointsOnly = false;
 };
 
 #endif

@@ -32,6 +32,7 @@ namespace
 
 const char* const TargetIdColumn = "TargetId";
 const char* const TargetNameColumn = "TargetName";
+const char* const TargetPositionColumn = "TargetPosition";
 
 /// Gives each source's column a name that no other column has.
 class ColumnNames
@@ -58,7 +59,7 @@ public:
 private:
   const Sources& sources_;
   std::size_t next_ = 0;
-  std::set<std::string> given_ = { TargetIdColumn, TargetNameColumn };
+  std::set<std::string> given_ = { TargetIdColumn, TargetNameColumn, TargetPositionColumn };
 };
 
 /// Adds the names of targets that have some.
@@ -84,6 +85,24 @@ void AddTargetNames(const Inputs& inputs, vtkTable* table)
   }
 }
 
+/// Adds where targets are.
+void AddTargetPositions(const Inputs& inputs, vtkTable* table)
+{
+  vtkNew<vtkDoubleArray> column;
+  column->SetName(TargetPositionColumn);
+  column->SetNumberOfComponents(3);
+  requireMemory(
+    static_cast<vtkIdType>(inputs.targets.count), 3 * static_cast<vtkIdType>(sizeof(double)));
+  for (const PolyDataBlock& block : inputs.targetBlocks.blocks)
+  {
+    for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
+    {
+      column->InsertNextTuple(block.data->GetPoint(i));
+    }
+  }
+  table->AddColumn(column);
+}
+
 /// Adds the column of a source. Its distances are freed: there may be no memory for all of them
 /// twice.
 void AddSource(const std::string& name, std::vector<double> distances, const Targets& targets,
@@ -103,8 +122,8 @@ void AddSource(const std::string& name, std::vector<double> distances, const Tar
 }
 
 /// \param maximumDistance in the units of the surface; 0: no limit.
-void ComputeTable(
-  const Inputs& inputs, double maximumDistance, FilterExecution& execution, vtkTable* table)
+void ComputeTable(const Inputs& inputs, double maximumDistance, bool hasPositions,
+  FilterExecution& execution, vtkTable* table)
 {
   const Targets& targets = inputs.targets;
   const auto rows = static_cast<vtkIdType>(targets.count);
@@ -125,6 +144,10 @@ void ComputeTable(
   std::iota(ids->GetPointer(0), ids->GetPointer(rows), 0);
   table->AddColumn(ids);
   AddTargetNames(inputs, table);
+  if (hasPositions)
+  {
+    AddTargetPositions(inputs, table);
+  }
   ColumnNames names(inputs.sources);
   for (std::vector<double>& column : matrix)
   {
@@ -214,7 +237,7 @@ void vtkGeodesicDistanceMatrix::Compute(
   vtkTable* table = vtkTable::GetData(outputVector);
   if (inputs.rank.isWorking())
   {
-    ComputeTable(inputs, this->MaximumDistance, execution, table);
+    ComputeTable(inputs, this->MaximumDistance, this->GenerateTargetPositions, execution, table);
   }
   MoveToFirstRank(execution.exchange(), table);
 }
@@ -228,4 +251,6 @@ void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
      << (this->SourceNameArrayName ? this->SourceNameArrayName : "(none)") << "\n";
   os << indent << "TargetNameArrayName: "
      << (this->TargetNameArrayName ? this->TargetNameArrayName : "(none)") << "\n";
+  os << indent << "GenerateTargetPositions: " << (this->GenerateTargetPositions ? "On" : "Off")
+     << "\n";
 }

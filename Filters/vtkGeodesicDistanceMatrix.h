@@ -22,7 +22,7 @@
  * @par Input:
  * Port 0 takes the surface: see vtkGeodesicAlgorithm, also for composite data, pieces and errors.
  * Port 1 takes the sources: each cell of a vtkPolyData is one (a line with those that it is joined
- * to, a polyline, a polygon, which stands for its outline, or a vertex cell with all its points);
+ * to, a polyline, a region of faces that meet, or a vertex cell with all its points);
  * where there are no cells, or vertex cells only, each point (of the vertex cells) is one. With
  * SourceType the boundary of the surface takes their place or comes in addition, each of its loops
  * as a source of its own. Port 2, optional, takes the targets: every point of a vtkPointSet, put
@@ -34,6 +34,7 @@
  * - `TargetId` (vtkIdType): the target, by its point id on its port; with a composite data set ids
  *   go on from block to block,
  * - `TargetName` (vtkStringArray): what the target is called, with TargetNameArrayName only,
+ * - `TargetPosition` (vtkDoubleArray of 3 components), with GenerateTargetPositions only,
  * - `Source0`, `Source1`, ... (double): the distance from each source, by the ids of the cells (of
  * the points where there are no cells or vertex cells only); loops of the boundary follow. Infinite
  * where no path leads from the source to the target, as to one in a barrier (BarrierArrayName),
@@ -117,6 +118,16 @@ public:
   vtkGetStringMacro(TargetNameArrayName);
   ///@}
 
+  ///@{
+  /**
+   * Whether the table has the column `TargetPosition` (3 doubles): where each target is in its own
+   * data set. Off by default.
+   */
+  vtkSetMacro(GenerateTargetPositions, bool);
+  vtkGetMacro(GenerateTargetPositions, bool);
+  vtkBooleanMacro(GenerateTargetPositions, bool);
+  ///@}
+
   /**
    * The output: a table, where the superclass has a vtkPolyData.
    */
@@ -138,6 +149,7 @@ private:
   void operator=(const vtkGeodesicDistanceMatrix&) = delete;
 
   double MaximumDistance = 0.0;
+  bool GenerateTargetPositions = false;
   char* SourceNameArrayName = nullptr;
   char* TargetNameArrayName = nullptr;
 };

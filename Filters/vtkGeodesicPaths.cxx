@@ -55,14 +55,15 @@ std::vector<PathOfTarget> FindPaths(
   const std::vector<vtkIdType>& ids = inputs.sources.ids;
   pathsToSource(inputs.surface->partition, *inputs.patch, inputs.sources.curves, targets.places,
     execution.begin(Stage::SolveForTargets),
-    [&](std::size_t i, const PathToSource& path)
+    [&](const PathToSource& path)
     {
+      const Id i = path.target;
       paths[i] = { targets.numbers[i], targets.snapDistances[i], {}, path.end,
         path.end.source == NoId ? -1 : ids[path.end.source], {} };
       paths[i].points.reserve(path.points.size());
       for (const SurfacePoint& point : path.points)
       {
-        paths[i].points.push_back(position(path.mesh, point));
+        paths[i].points.push_back(position(path.mesh(), point));
       }
       for (std::size_t point = 0; withCells && point + 1 < path.points.size(); ++point)
       {

@@ -4,10 +4,9 @@
  * @brief   exact shortest paths on a surface from points to the nearest point of a source
  *
  * vtkGeodesicPaths finds for each of its targets the shortest path *on* a triangle mesh to the
- * nearest point of a source, which is made of points, polylines, the surface's boundary, or any mix
- * of them, as for vtkGeodesicDistanceField. Paths are exact up to the rounding of double-precision
- * numbers: they go straight through faces and bend only at vertices of negative curvature and at
- * reflex corners of the boundary.
+ * nearest point of a source, as for vtkGeodesicDistanceField. Paths are exact up to the rounding of
+ * double-precision numbers: they go straight through faces and bend only at vertices of negative
+ * curvature and at reflex corners of the boundary.
  *
  * @par Algorithm:
  * One front goes from the source (see vtkGeodesicDistanceField), until all targets are settled: a
@@ -20,10 +19,8 @@
  * @par Input:
  * Port 0 takes the surface, port 1, optional, the source: see vtkGeodesicAlgorithm, also for
  * composite data, threads, pieces, ranks and errors. Port 2 takes the targets: every point of a
- * vtkPolyData or other vtkPointSet is one, whatever its cells are, of all blocks where it is a
- * composite data set. A target may be anywhere; it is put onto the closest point of the surface,
- * with a warning where that is farther than a hundredth of the surface's size, and onto a vertex or
- * an edge when within the precision of its coordinates.
+ * vtkPointSet, or of all blocks of a composite data set. A target is put onto the closest point of
+ * the surface, with a warning where that is farther than a hundredth of the surface's size.
  *
  * @par Output:
  * A vtkPolyData with one polyline for each target that is reached, in the order of the targets,
@@ -33,10 +30,8 @@
  * share points. There are
  * - cell data array `TargetId` (vtkIdType): the target, by its point id on port 2; with a composite
  *   data set ids go on from block to block,
- * - cell data array `SourceId` (vtkIdType): the part of the source that the path ends on: the cell
- *   id on port 1 (point id where it has no cells or vertex cells only), over all blocks; a loop of
- * the boundary has the number of the source's cells plus that of the loop. Where several parts hold
- * the end it is one of them,
+ * - cell data array `SourceId` (vtkIdType): the part of the source that the path ends on, as
+ *   vtkGeodesicDistanceField::SetGenerateSourceIds() counts them; one of several that hold the end,
  * - cell data array `GeodesicDistance`: the length of the path,
  * - cell data array `TargetSnapDistance`: how far the target was from the surface,
  * - if they are asked for, cell data arrays `SourceArcLength` and `SourceAngle`: how far along its
@@ -82,8 +77,7 @@ public:
 
   ///@{
   /**
-   * The targets on port 2: every point of a vtkPointSet, or of all blocks of a composite data set.
-   * Without targets there is an error.
+   * The targets on port 2. Without targets there is an error.
    */
   void SetTargetsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
   void SetTargetsData(vtkDataObject* targets) { this->SetInputDataInternal(2, targets); }

@@ -64,16 +64,8 @@ vtkSMBoundsDomain* boundsOf(vtkSMSourceProxy* filter)
   return distances ? distances->FindDomain<vtkSMBoundsDomain>() : nullptr;
 }
 
-/// Of the point array of distances; null before an execution, and for other filters than fields.
-vtkPVArrayInformation* distancesOf(vtkSMSourceProxy* filter)
-{
-  const char* name = vtkSMPropertyHelper(filter, "DistanceArrayName", true).GetAsString();
-  return name ? filter->GetDataInformation(0)->GetPointDataInformation()->GetArrayInformation(name)
-              : nullptr;
-}
-
 /// A value of UnreachedValue.
-constexpr int UnreachedIsNaN = 1;
+constexpr int UnreachedIsCustom = 2;
 
 /// VTK's shader of tubes and balls reads gl_FragDepth before it writes it. Where the driver leaves
 /// any number there (Mesa 25), they are drawn behind the surface, or shine through it.
@@ -182,11 +174,8 @@ void chooseOnlySource(vtkSMSourceProxy* filter)
 
 bool hasUnreached(vtkSMSourceProxy* filter)
 {
-  vtkPVArrayInformation* distances = distancesOf(filter);
-  // Ranges leave out NaN: where users ask for it, they are told what it is.
-  return distances &&
-    (!std::isfinite(distances->GetComponentRange(0)[1]) ||
-      vtkSMPropertyHelper(filter, "UnreachedValue", true).GetAsInt() == UnreachedIsNaN);
+  return vtkSMPropertyHelper(filter, "HasUnreachedPoints", true).GetAsInt() != 0 &&
+    vtkSMPropertyHelper(filter, "UnreachedValue", true).GetAsInt() != UnreachedIsCustom;
 }
 
 void putDefaultCurveOnSurface(vtkSMSourceProxy* filter)
@@ -218,13 +207,11 @@ void putDefaultCurveOnSurface(vtkSMSourceProxy* filter)
 
 double largestDistance(vtkSMSourceProxy* filter)
 {
-  vtkPVArrayInformation* array = distancesOf(filter);
-  return array ? array->GetComponentFiniteRange(0)[1] : 0.0;
+  return vtkSMPropertyHelper(filter, "LargestDistance", true).GetAsDouble();
 }
 
 void setResults(vtkSMSourceProxy* filter)
 {
-  vtkSMPropertyHelper(filter, "LargestDistance", true).Set(largestDistance(filter));
   if (filter->GetProperty("NumberOfPaths"))
   {
     vtkPVDataInformation* paths = filter->GetDataInformation(0);

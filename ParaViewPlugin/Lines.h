@@ -40,8 +40,8 @@ void chooseOnlySource(vtkSMSourceProxy* filter);
 /// The largest distance that a field has found; 0 before it is executed, and for other filters.
 double largestDistance(vtkSMSourceProxy* filter);
 
-/// Whether an execution has left points of the surface without a distance, which NaN or infinity
-/// stands for.
+/// Whether an execution has left points of faces without a distance, which NaN or infinity stands
+/// for. Points that no face uses do not count: nothing of them is seen.
 bool hasUnreached(vtkSMSourceProxy* filter);
 
 /// The two points of a curve that is there before it is drawn, above the surface, go to the

@@ -5,6 +5,7 @@
 #include <QList>
 #include <QMap>
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <QStringList>
 #include <QVariant>
@@ -27,11 +28,15 @@ const QMap<QString, QString>& purposes()
   return words;
 }
 
+/// Results are nothing to write into, and are seen whole.
+constexpr const char* NoBox =
+  "QLineEdit { border: none; background: palette(window); min-width: 7em }";
+
 bool isResult(const QString& property)
 {
-  static const QStringList results{ "InterpolationErrorBound", "LargestDistance", "LongestLength",
-    "NumberOfPaths", "RelativeErrorBound", "SeamPointsJoined", "ShortestLength", "SourceLength",
-    "SourceSnapDistance", "WindowsPropagatedPerEdge" };
+  static const QStringList results{ "FarthestPoint", "InterpolationErrorBound", "LargestDistance",
+    "LongestLength", "NumberOfPaths", "RelativeErrorBound", "SeamPointsJoined", "ShortestLength",
+    "SourceLength", "SourceSnapDistance", "WindowsPropagatedPerEdge" };
   return results.contains(property);
 }
 
@@ -39,7 +44,19 @@ bool isResult(const QString& property)
 
 void improvePanel(QObject* watched, const QEvent& event)
 {
-  if (event.type() == QEvent::Polish && watched->objectName() == "CheckBox" && watched->parent())
+  static QPointer<QObject> painted;
+  if (event.type() == QEvent::Paint && watched->inherits("pqDoubleLineEdit"))
+  {
+    painted = watched;
+  }
+  else if (event.type() == QEvent::Paint && watched->inherits("QLineEdit") && !watched->parent() &&
+    painted && isResult(painted->parent()->objectName()))
+  {
+    // ParaView paints numbers with few digits by another widget, which has no parent.
+    watched->setProperty("styleSheet", NoBox);
+  }
+  else if (event.type() == QEvent::Polish && watched->objectName() == "CheckBox" &&
+    watched->parent())
   {
     const QString purpose = purposes().value(watched->parent()->objectName());
     if (!purpose.isEmpty())
@@ -58,5 +75,6 @@ void improvePanel(QObject* watched, const QEvent& event)
       }
     }
     watched->setProperty("enabled", true);
+    watched->setProperty("styleSheet", NoBox);
   }
 }

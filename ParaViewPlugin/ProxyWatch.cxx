@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProxyWatch.h"
 
+#include "Displays.h"
 #include "Lines.h"
 #include "Stripes.h"
 
@@ -255,9 +256,9 @@ public:
       {
         lines::show(shown);
       }
-      if (hasPanel() && lines::isField(filter) && input.GetOutputPort() == 1)
+      if (hasPanel())
       {
-        this->HideOtherFields(filter);
+        this->LookAfter(filter, shown, input.GetOutputPort());
       }
     }
     else if (auto* filter = vtkSMSourceProxy::SafeDownCast(registered->Proxy))
@@ -350,6 +351,23 @@ private:
         lines::putDefaultCurveOnSurface(filter);
       }
       this->SetRangesOfContours();
+    }
+  }
+
+  /// A representation of a filter's output in ParaView's window.
+  void LookAfter(vtkSMSourceProxy* filter, vtkSMPVRepresentationProxy* shown, unsigned int port)
+  {
+    if (lines::isField(filter) && port == 0)
+    {
+      displays::makeRoomForTexture(filter, shown);
+    }
+    if (lines::isField(filter) && port == 1)
+    {
+      this->HideOtherFields(filter);
+    }
+    if (filter->GetProperty("NumberOfPaths") || (port == 1 && filter->GetProperty("Points")))
+    {
+      displays::labelLength(filter, shown);
     }
   }
 

@@ -3,15 +3,23 @@
 
 #include "PolyData/RoundNumbers.h"
 
+#include "vtkAbstractArray.h"
+#include "vtkDataObject.h"
+#include "vtkNew.h"
+#include "vtkPVProminentValuesInformation.h"
+#include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMTransferFunctionPresets.h"
 #include "vtkSMTransferFunctionProxy.h"
+#include "vtkSmartPointer.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -31,7 +39,6 @@ const Color Gray{ 0.75, 0.75, 0.75 };
 const std::vector<Color> IdColors{ { 0.90, 0.62, 0.00 }, { 0.34, 0.71, 0.91 }, { 0.80, 0.47, 0.65 },
   { 0.94, 0.89, 0.26 }, { 0.00, 0.45, 0.70 }, { 0.84, 0.37, 0.00 }, { 0.55, 0.40, 0.30 },
   { 0.80, 0.75, 0.90 } };
-constexpr int MostIds = 32;
 
 /// More would be too thin to count; of round widths the next one gives at least 17.
 constexpr int MostStripes = 40;
@@ -180,6 +187,44 @@ std::vector<vtkSMProxy*> barsOf(vtkSMProxy* table)
   return bars;
 }
 
+/// The ids that occur in what a color map shows. Of more than ParaView can tell apart, 32, none.
+std::set<int> idsShownBy(vtkSMProxy* table)
+{
+  std::set<vtkSMPVRepresentationProxy*> all; // parts of a representation are consumers, too
+  for (unsigned int i = 0; i < table->GetNumberOfConsumers(); ++i)
+  {
+    auto* shown =
+      vtkSMPVRepresentationProxy::SafeDownCast(table->GetConsumerProxy(i)->GetTrueParentProxy());
+    if (shown && shown->GetUsingScalarColoring())
+    {
+      all.insert(shown);
+    }
+  }
+  std::set<int> ids;
+  for (vtkSMPVRepresentationProxy* shown : all)
+  {
+    vtkSMPropertyHelper input(shown, "Input"), array(shown, "ColorArrayName");
+    vtkNew<vtkPVProminentValuesInformation> found;
+    found->SetPortNumber(static_cast<int>(input.GetOutputPort()));
+    found->SetFieldAssociation(
+      vtkDataObject::GetAssociationTypeAsString(array.GetInputArrayAssociation()));
+    found->SetFieldName(array.GetInputArrayNameToProcess());
+    found->SetNumberOfComponents(1);
+    found->SetFraction(0.0); // an id that few points have counts, too
+    input.GetAsProxy()->GatherInformation(found);
+    const auto values = vtk::TakeSmartPointer(found->GetProminentComponentValues(0));
+    if (!values)
+    {
+      return {};
+    }
+    for (vtkIdType k = 0; k < values->GetNumberOfTuples(); ++k)
+    {
+      ids.insert(values->GetVariantValue(k).ToInt());
+    }
+  }
+  return ids;
+}
+
 void addPreset(const char* name, bool isSigned)
 {
   auto* presets = vtkSMTransferFunctionPresets::GetInstance();
@@ -305,32 +350,39 @@ void setTicks(vtkSMProxy* table)
 
 void showIds(vtkSMProxy* table)
 {
-  double range[2];
   const bool isNew = vtkSMPropertyHelper(table, "AnnotationsInitialized", true).GetAsInt() == 0;
-  if ((!isNew && vtkSMPropertyHelper(table, "IndexedLookup").GetAsInt() == 0) ||
-    !vtkSMTransferFunctionProxy::ComputeDataRange(table, range) || range[1] - range[0] >= MostIds)
+  if (!isNew && vtkSMPropertyHelper(table, "IndexedLookup").GetAsInt() == 0)
   {
     return;
   }
-  vtkSMPropertyHelper words(table, "Annotations");
+  std::vector<std::string> words;
   std::vector<double> colors;
-  const auto first = static_cast<int>(range[0]), last = static_cast<int>(range[1]);
-  const auto count = static_cast<unsigned int>(last - first + 1);
-  if (words.GetNumberOfElements() == 2 * count && std::to_string(first) == words.GetAsString(0))
+  std::size_t next = 0;
+  for (const int id : idsShownBy(table))
   {
-    return;
-  }
-  words.SetNumberOfElements(2 * count);
-  for (unsigned int i = 0; i < count; ++i)
-  {
-    const int id = first + static_cast<int>(i);
-    const std::string name = std::to_string(id);
-    words.Set(2 * i, name.c_str());
-    words.Set(2 * i + 1, id < 0 ? "not reached" : name.c_str());
-    const Color& color = id < 0 ? Gray : IdColors[static_cast<std::size_t>(id) % IdColors.size()];
+    words.push_back(std::to_string(id));
+    words.push_back(id < 0 ? "not reached" : words.back());
+    const Color& color = id < 0 ? Gray : IdColors[next++ % IdColors.size()];
     colors.insert(colors.end(), color.begin(), color.end());
   }
-  vtkSMPropertyHelper(table, "IndexedColors").Set(colors.data(), 3 * count);
+  vtkSMPropertyHelper annotations(table, "Annotations");
+  const auto count = static_cast<unsigned int>(words.size());
+  bool areSame = annotations.GetNumberOfElements() == count;
+  for (unsigned int i = 0; areSame && i < count; ++i)
+  {
+    areSame = words[i] == annotations.GetAsString(i);
+  }
+  if (areSame || words.empty())
+  {
+    return;
+  }
+  annotations.SetNumberOfElements(count);
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    annotations.Set(i, words[i].c_str());
+  }
+  vtkSMPropertyHelper(table, "IndexedColors")
+    .Set(colors.data(), static_cast<unsigned int>(colors.size()));
   vtkSMPropertyHelper(table, "IndexedLookup").Set(1);
   vtkSMPropertyHelper(table, "AnnotationsInitialized", true).Set(1);
   table->UpdateVTKObjects();

@@ -148,21 +148,21 @@ def thin_lines(display, color=WHITE, width=1.5):
     display.Ambient, display.Diffuse = 1, 0
 
 
-def colored_lines(display, largest=None, width=3):
+def colored_lines(display, largest=None, width=3, colors=None):
     """Shows lines by their distance, from near to far, on a pale surface."""
     simple.ColorBy(display, ("POINTS", "GeodesicDistance"))
     largest = largest or 1.001 * range_of(display)[1]
-    steps(display, ("POINTS", "GeodesicDistance"), 0, largest, shades(36)[9:])
+    steps(display, ("POINTS", "GeodesicDistance"), 0, largest, colors or shades(36)[9:])
     display.LineWidth = width
     display.RenderLinesAsTubes = 0
     display.Ambient, display.Diffuse = 1, 0
     nearer(display, simple.GetActiveView())  # plain lines, as some drivers draw thin tubes as dashes
 
 
-def nearer(display, view):
+def nearer(display, view, by=0.01):
     """Shows something a little nearer to the eye than the surface that it lies on. In a parallel projection that moves
     nothing in the picture."""
-    move(display, 0.01 * np.subtract(view.CameraPosition, view.CameraFocalPoint))
+    move(display, by * np.subtract(view.CameraPosition, view.CameraFocalPoint))
 
 
 def move(display, way):
@@ -179,6 +179,7 @@ def balls(centers, radius, color=WHITE):
     display = simple.Show(placed)
     plain(display, color)
     smooth(display)
+    return display
 
 
 def round_lines(display, width):
@@ -204,6 +205,15 @@ def with_normals(surface):
 def note(text, at=CORNER, size=18):
     """Writes words into the view that is active, from a place on in fractions of its width and height."""
     display = simple.Show(simple.Text(Text=text))
+    display.WindowLocation = "Any Location"
+    display.Position = at
+    display.FontSize = size
+    display.Color = DARK
+
+
+def time(at=(0.5, 0.03), size=18):
+    """Writes the animation's time into the view that is active."""
+    display = simple.Show(simple.AnnotateTime(Format="Time {time:.2f}"))
     display.WindowLocation = "Any Location"
     display.Position = at
     display.FontSize = size

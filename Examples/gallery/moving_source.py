@@ -25,4 +25,5 @@ for index, place in ((0, lambda x: x), (2, lambda x: 0.15*sin(6*x))):
 view = look.view(field, direction=(0.1, -0.7, 0.8), size=(420, 270))
 look.stripes(Show(field, view), largest=4)
 look.lines(Show(OutputPort(field, 1), view))
+look.time(at=(0.66, 0.87))
 look.save(view, globals(), times=(0, 0.25, 0.5, 0.75))

@@ -36,9 +36,9 @@ rings = Contour(Input=middle, ContourBy=("POINTS", "SourceArcLength"), Isosurfac
 
 
 def unrolled(data):
-    """What lies on the vessel, on the map below it."""
+    """What lies on the vessel, on the map below it: wide places above narrow ones, as the map has a fold at the bend."""
     return Calculator(Input=data, CoordinateResults=1,
-                      Function="SourceArcLength*iHat + SignedGeodesicDistance*jHat")
+                      Function="SourceArcLength*iHat + SignedGeodesicDistance*jHat + 0.01*Radius*kHat")
 
 
 map_of_vessel = unrolled(middle)

@@ -10,8 +10,8 @@
   "Compile without fast math, which changes roundings (see Filters/Package/FloatingPoint.cmake)"
 #endif
 
-/// All tolerances of the engine. Each is relative, and its comment says to what and why it has its
-/// size.
+/// All tolerances of the engine. Each is relative; its comment says to what, and gives the reason
+/// for the size.
 namespace geodesic::tolerance
 {
 
@@ -177,8 +177,8 @@ constexpr double MergedDepth = 1e-6;
 
 /// An edge is short if it is below this fraction of another edge of its face. Rays pass the place
 /// where the longer edge ends, and places rounded along the longer edge would turn rays at the
-/// short one by an angle of Rounding / ShortEdge. The vertices at its ends emit, as rays from one
-/// past the other have no better direction.
+/// short one by an angle of Rounding / ShortEdge. The vertices at the ends of a short edge emit, as
+/// rays from one end past the other end have no better direction.
 constexpr double ShortEdge = 1e-6;
 
 /// A source's point is near a halfedge if it is nearer than this fraction of the halfedge's length.
@@ -228,9 +228,9 @@ constexpr double OffsetFaceInValues = 1e8;
 /// CurveOffset for curves that are just that far apart.
 constexpr double LargerCurveOffset = 40.0 * CurveOffset;
 
-/// Two ends of an isoline's pieces in a face are one if they are nearer than this fraction of the
-/// face, or if the distance between them is the value up to IsolineValue: where curves or edges are
-/// tangent, their meeting point is known only to the root of the rounding.
+/// Two ends of an isoline's pieces in a face are one point if they are nearer than this fraction of
+/// the face, or if the distance is the value, up to IsolineValue, between the ends: where curves or
+/// edges are tangent, their meeting point is known only to the root of the rounding.
 constexpr double IsolineGap = 1e-9;
 
 /// Level curves of neighbours may overlap by IsolineGap where they meet, but by no more than this
@@ -240,6 +240,10 @@ constexpr double CurveEndShare = 1e-3;
 /// The largest difference of distance and value between two ends that meet, as a fraction of the
 /// value and the face: the rounding of every unfolding on the way.
 constexpr double IsolineValue = Tie;
+
+/// The share of a source's face that faces of the surface in it may leave out: the rounding of
+/// areas where coordinates have single precision. A face that is only partly in it is larger.
+constexpr double CoveredArea = 1e-6;
 
 /// Rays that meet their halfedge at a smaller angle (about the root of the rounding) run along it:
 /// the cosine of such an angle is 1 to the last digit, and rounding alone would decide where they

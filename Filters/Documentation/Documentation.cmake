@@ -2,7 +2,8 @@
 
 # Pages and pictures lie as in the source tree, so that their links lead somewhere.
 file(GLOB_RECURSE pages CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}"
-  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*.md" "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Benchmarks/*.md"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*.md" "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*.svg"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Platforms.md" "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Benchmarks/*.md"
   "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Benchmarks/*.png" "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Benchmarks/*.csv")
 foreach (page IN ITEMS ${pages} README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE)
   get_filename_component(folder "${page}" DIRECTORY)

@@ -43,7 +43,7 @@ endif ()
 configure_file("${PROJECT_SOURCE_DIR}/Filters/Python/__init__.py.in"
   "${GEODESIC_PYTHONPATH}/geodesicdistance/__init__.py" @ONLY)
 set(geodesic_python_files "${GEODESIC_PYTHONPATH}/geodesicdistance/__init__.py")
-foreach (name IN ITEMS arrays functions inputs messages pickling surface)
+foreach (name IN ITEMS arrays functions inputs messages pairs pickling surface)
   set(file "${GEODESIC_PYTHONPATH}/geodesicdistance/${name}.py")
   configure_file("${PROJECT_SOURCE_DIR}/Filters/Python/${name}.py" "${file}" COPYONLY)
   list(APPEND geodesic_python_files "${file}")

@@ -118,7 +118,7 @@ struct FieldSolver
     return faces;
   }
 
-  RefinementOptions refinementOptions() const
+  RefinementOptions refinementOptions(const UnmeshedTriangles& unmeshed) const
   {
     RefinementOptions options;
     options.tolerance = this->request.tolerance;
@@ -131,7 +131,7 @@ struct FieldSolver
     options.cornerPoints = cornerPointsOf(this->surface);
     options.numberOfPoints =
       this->surface.numberOfPoints + static_cast<Id>(this->surface.cutPoints.size());
-    options.trianglesBeside = barriersAtEdges(this->surface);
+    options.trianglesBeside = unmeshed.countAtEdges();
     options.job = this->execution.begin(Stage::Refine);
     return options;
   }
@@ -151,13 +151,11 @@ struct FieldSolver
       nearest.emplace(solved.exactField(), *this->inputs.patch, curves);
       regions.emplace(solved.exactField(), *nearest, curves, this->request.arrays.areSidesNeeded());
     }
-    RefinementOptions options = this->refinementOptions();
-    if (regions)
-    {
-      options.regionOf = [&regions](const SurfacePoint& point) { return regions->at(point); };
-    }
+    const UnmeshedTriangles unmeshed(this->surface);
+    RefinementOptions options = this->refinementOptions(unmeshed);
+    options.regions = regions ? &*regions : nullptr;
     solved.refined =
-      addUnmeshedTriangles(this->surface, this->request.maximumCells, options.cornerPoints,
+      addUnmeshedTriangles(unmeshed, this->request.maximumCells, options.cornerPoints,
         solved.field->vertexDistances(), geodesic::refine(*solved.field, options));
   }
 };

@@ -3,7 +3,7 @@
 #define geodesic_FieldSolver_h
 
 #include "PolyData/writing/SourceArrays.h"
-#include "PolyData/writing/UnmeshedTriangles.h"
+#include "PolyData/writing/RefinedSurface.h"
 #include "field/DistanceField.h"
 
 #include <cstdint>

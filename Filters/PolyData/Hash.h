@@ -16,10 +16,10 @@ inline std::uint64_t mixed(std::uint64_t word, std::uint64_t odd = 0x9e3779b97f4
   return word ^ (word >> 32);
 }
 
-/// A hash of 128 bits of some words. It has two halves of 64 bits. In each, a word is mixed in by a
-/// function that is one-to-one in the word and in what came before, so that a change of one word
-/// always changes the result; other changes go unnoticed once in about 2^128. That is no protection
-/// against somebody who looks for two inputs with one result.
+/// A hash of some words, in two halves of 64 bits. Each word is mixed into each half by a function
+/// that is one-to-one in the word and in the half, so that a change of a single word always changes
+/// the result; other changes go unnoticed once in about 2^128. The hash is no protection against
+/// somebody who looks for two inputs with one result.
 using Fingerprint = std::array<std::uint64_t, 2>;
 
 inline void addWord(std::uint64_t word, Fingerprint& print)

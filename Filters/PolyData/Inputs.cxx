@@ -4,6 +4,7 @@
 #include "PolyData/FilterExecution.h"
 #include "PolyData/SurfaceCache.h"
 #include "PolyData/ranks/SourcePatch.h"
+#include "PolyData/reading/SourceFaces.h"
 #include "paths/FacesBetweenPoints.h"
 #include "paths/JoinPoints.h"
 #include "source/BoundaryCurves.h"
@@ -12,6 +13,7 @@
 #include <array>
 #include <iterator>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 namespace geodesic
@@ -146,8 +148,7 @@ struct InputReader
     if (hasCurve && this->request.source == this->request.surface)
     {
       this->notes.add(NoteOn::Source, "surface",
-        "The surface itself is the source: distances are measured from the outlines of all its "
-        "faces. Choose another Source.");
+        "The surface itself is the source: all distances are 0. Choose another Source.");
     }
     const PolyDataSurface& surface = this->cache.surface();
     const Job locating = this->execution.begin(Stage::LocateSource);
@@ -179,6 +180,10 @@ struct InputReader
     this->cache.locator().keepOnOneSide(
       source.polylines, precision, located, locating.part(0.9, 1.0));
     faces.addFacesAround(located);
+    if (surface.partition.isDistributed() && !source.faces.empty())
+    {
+      faces.addFaces(this->ownCoveredFaces(source.faces, precision, locating.part(1.0, 1.0)));
+    }
     ReplicatedPatch patch = faces.make();
     located.setFaces(patch, source.polylines);
     const bool isDistributed = surface.partition.isDistributed();
@@ -203,6 +208,10 @@ struct InputReader
     {
       this->cache.joinedPaths() = std::move(paths);
     }
+    coverFaces(findCoveredFaces(mesh, source.faces, precision, false, joining.part(1.0, 1.0)),
+      curves.curves);
+    std::vector<SourceCurve> branches = curvesWhereRegionsBranch(mesh, curves.curves);
+    std::move(branches.begin(), branches.end(), std::back_inserter(curves.curves));
     noteSource(surface, mesh, source, curves, this->plan.noteSourceBeyond, this->notes);
     if (this->plan.needsSides)
     {
@@ -214,6 +223,37 @@ struct InputReader
     return { std::move(patch),
       { std::move(curves), std::move(source.ids), areNamed, count, std::move(source.names) },
       source.idEnd };
+  }
+
+  /// The faces of this rank that belong to the source as a whole.
+  std::vector<Id> ownCoveredFaces(
+    const std::vector<LocatedPolyline>& faces, double precision, const Job& job) const
+  {
+    const MeshPartition& partition = this->cache.surface().partition;
+    std::vector<Id> own;
+    for (const CoveredFace& covered :
+      findCoveredFaces(partition.mesh(), faces, precision, true, job))
+    {
+      if (partition.isOwn(covered.face))
+      {
+        own.push_back(covered.face);
+      }
+    }
+    return own;
+  }
+
+  /// Gives faces to the first curve of their source, which has one.
+  static void coverFaces(const std::vector<CoveredFace>& faces, std::vector<SourceCurve>& curves)
+  {
+    std::unordered_map<Id, std::size_t> first;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+    {
+      first.emplace(curves[i].source, i);
+    }
+    for (const CoveredFace& covered : faces)
+    {
+      curves[first.at(covered.source)].coveredFaces.push_back(covered.face);
+    }
   }
 
   /// Adds the loops of the boundary to the curves.

@@ -14,8 +14,8 @@ class vtkFieldData;
 namespace geodesic
 {
 
-/// Memory will not do, found before it was taken: the system hands out more than it has, and ends a
-/// process that uses it.
+/// There is too little memory for what is about to be taken. Thrown before memory is taken, because
+/// the system hands out more than it has, and ends a process that uses what it was given.
 struct NotEnoughMemory : std::bad_alloc
 {
   NotEnoughMemory(std::uint64_t bytesNeeded, std::uint64_t bytesAvailable)
@@ -37,8 +37,8 @@ struct NotEnoughMemory : std::bad_alloc
 /// number.
 std::uint64_t availableMemory();
 
-/// Asks for the memory that VTK's arrays are about to take. Where one of them gets none, VTK ends
-/// the process, unless it was compiled with NDEBUG, which distributions do not do.
+/// Asks for the memory that VTK's arrays are about to take. If an array gets no memory, VTK ends
+/// the process, unless VTK was compiled with NDEBUG, which distributions do not do.
 ///
 /// \throws NotEnoughMemory where less is available; std::bad_alloc where there is not so much
 ///         address space.

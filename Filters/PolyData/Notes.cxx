@@ -206,7 +206,7 @@ void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
   const SourcePolylines& source, const SourceCurves& onSurface, double beyond, Notes& notes)
 {
   notes.add(NoteOn::Source, source.droppedCells, "cell", "cells",
-    "of the source left out: neither lines nor vertices.");
+    "of the source left out: neither vertices, lines nor flat faces.");
   noteDetours(source, onSurface, notes);
   if (!(onSurface.snapDistance > beyond * surface.diagonal))
   {

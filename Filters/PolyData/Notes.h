@@ -70,8 +70,8 @@ struct Notes
 };
 
 /// Remembers which notes the user has been given, so that none is said again at every time step or
-/// Apply. A note is said when the execution before had none of its cause, or when something else
-/// has been connected to the input port that it is about.
+/// Apply. A note is said again if the execution before had no note of this cause, or if something
+/// else has been connected to the note's input port.
 class GivenNotes
 {
 public:

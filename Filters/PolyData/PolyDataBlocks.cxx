@@ -23,6 +23,7 @@
 #include "vtkVariant.h"
 
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cmath>
 #include <utility>
@@ -171,34 +172,64 @@ PolyDataBlock targetBlock(vtkDataObject* data, const PartName& name)
   return block;
 }
 
-/// A cell that is neither a vertex nor a line becomes a line without points, so that the others
-/// keep their numbers.
-void addVerticesAndLines(vtkUnstructuredGrid* grid, PolyDataBlock& block)
+/// Whether cells of a grid are flat faces that a vtkPolyData can have.
+bool isFace(int type)
+{
+  return type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_PIXEL || type == VTK_POLYGON;
+}
+
+/// Other cells become lines without points, so that these keep their numbers.
+void addVerticesLinesAndFaces(vtkUnstructuredGrid* grid, PolyDataBlock& block)
 {
   requireTypes(grid, block.name);
   vtkNew<vtkCellArray> vertices;
   vtkNew<vtkCellArray> lines;
-  std::vector<vtkIdType> cellsOfLines;
+  vtkNew<vtkCellArray> faces;
+  vtkNew<vtkCellArray> strips;
+  std::array<std::vector<vtkIdType>, 4> numbers;
   vtkIdType next = 0;
+  const auto add = [&](vtkCellArray* cells, std::size_t kind, vtkIdType size, const vtkIdType* ids)
+  {
+    cells->InsertNextCell(size, ids);
+    numbers[kind].push_back(next);
+  };
   forEachCell(grid->GetCells(),
     [&](vtkIdType size, const vtkIdType* ids)
     {
-      const vtkIdType cell = next++;
-      const int type = grid->GetCellType(cell);
+      const int type = grid->GetCellType(next);
       if (type == VTK_VERTEX || type == VTK_POLY_VERTEX)
       {
-        vertices->InsertNextCell(size, ids);
-        block.inputCells.push_back(cell);
-        return;
+        add(vertices, 0, size, ids);
       }
-      const bool isLine = type == VTK_LINE || type == VTK_POLY_LINE;
-      lines->InsertNextCell(isLine ? size : 0, ids);
-      cellsOfLines.push_back(cell);
-      block.droppedCells += isLine || type == VTK_EMPTY_CELL ? 0 : 1;
+      else if (type == VTK_PIXEL && size == 4)
+      {
+        const vtkIdType around[] = { ids[0], ids[1], ids[3], ids[2] };
+        add(faces, 2, size, around);
+      }
+      else if (isFace(type))
+      {
+        add(faces, 2, size, ids);
+      }
+      else if (type == VTK_TRIANGLE_STRIP)
+      {
+        add(strips, 3, size, ids);
+      }
+      else
+      {
+        const bool isLine = type == VTK_LINE || type == VTK_POLY_LINE;
+        add(lines, 1, isLine ? size : 0, ids);
+        block.droppedCells += isLine || type == VTK_EMPTY_CELL ? 0 : 1;
+      }
+      ++next;
     });
-  block.inputCells.insert(block.inputCells.end(), cellsOfLines.begin(), cellsOfLines.end());
+  for (const std::vector<vtkIdType>& ofKind : numbers)
+  {
+    block.inputCells.insert(block.inputCells.end(), ofKind.begin(), ofKind.end());
+  }
   block.data->SetVerts(vertices);
   block.data->SetLines(lines);
+  block.data->SetPolys(faces);
+  block.data->SetStrips(strips);
 }
 
 PolyDataBlock sourceBlock(vtkDataObject* data, const PartName& name)
@@ -214,7 +245,7 @@ PolyDataBlock sourceBlock(vtkDataObject* data, const PartName& name)
   if (grid && grid->GetCells())
   {
     requireReadable(grid->GetCells(), "cells", 0, name);
-    addVerticesAndLines(grid, block);
+    addVerticesLinesAndFaces(grid, block);
   }
   return block;
 }
@@ -383,6 +414,20 @@ std::vector<std::string> readNames(
   return names;
 }
 
+/// Whether all numbers are whole ones, whatever they are stored as.
+bool areWhole(vtkDataArray* numbers)
+{
+  for (vtkIdType i = 0; i < numbers->GetNumberOfTuples(); ++i)
+  {
+    const double value = numbers->GetComponent(i, 0);
+    if (value != std::floor(value))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Values that cannot be ids become -1 or SourceIdEnd.
 std::vector<vtkIdType> readSourceIds(vtkDataSet* data, const PolyDataBlock& block, const char* name)
 {
@@ -393,12 +438,13 @@ std::vector<vtkIdType> readSourceIds(vtkDataSet* data, const PolyDataBlock& bloc
   }
   const PartArray array = arrayOfParts(block, name, "SourceIdArrayName");
   vtkAbstractArray* any = requireArray(data, block, array);
-  vtkDataArray* values = integersOf(any);
-  if (!values)
+  auto* values = vtkDataArray::SafeDownCast(any);
+  if (!values || !(integersOf(any) || areWhole(values)))
   {
     throw InputError(array.in(block) + " is a " + any->GetClassName() +
-      ", where whole numbers are needed. Choose an array of integers, or make one (Calculator with "
-      "an integer as Result Array Type).");
+      (values ? " with a value that is no whole number" : "") +
+      ", where whole numbers are needed. Choose an array of them, or make one (Calculator, with "
+      "floor).");
   }
   const vtkIdType count = array.count(data);
   for (vtkIdType i = 0; i < count; ++i)

@@ -38,7 +38,8 @@ struct PolyDataBlock
   /// vertices before its lines, and a cell of a grid may be several here. Empty where they are the
   /// same.
   std::vector<vtkIdType> inputCells;
-  /// How many cells of the input are neither vertices nor lines, and have no points here.
+  /// How many cells of a grid as a source are neither vertices, lines nor flat faces, and have no
+  /// points here.
   vtkIdType droppedCells = 0;
   /// The cell array that is not 0 where cells are barriers; null where there is none. See
   /// findBarrierArrays().

@@ -66,6 +66,29 @@ def used_points(data):
     return np.concatenate([np.empty(0, bool), *used])
 
 
+def columns_of(table):
+    """The distances in a table, one row a target."""
+    columns = [vtk_to_numpy(table.GetColumn(i)) for i in range(1, table.GetNumberOfColumns())]
+    return np.column_stack(columns) if columns else np.empty((table.GetNumberOfRows(), 0))
+
+
+def with_infinite(table, are_there, axis):
+    """A table with rows or columns of infinity where those of are_there are not in it."""
+    return np.insert(table, np.cumsum(are_there)[~are_there], np.inf, axis=axis)
+
+
+def lines_with_points(output):
+    """Lines and their points as a dictionary, with the arrays of the lines."""
+    lines, of_lines = lines_of(output)
+    return {"points": np.array(points_of(output)), "lines": lines, **of_lines}
+
+
+def frames_of(output):
+    """The frames of the sources where angles are measured in them."""
+    array = output.GetFieldData().GetArray("SourceFrame")
+    return {"SourceFrame": np.array(vtk_to_numpy(array)).reshape(-1, 3, 3)} if array else {}
+
+
 def _corners(block):
     """The points that faces name, also those that do not exist."""
     if isinstance(block, vtkPolyData):

@@ -25,4 +25,4 @@ def _function(method):
     return function
 
 
-distance, field, contour, paths, matrix = map(_function, METHODS)
+distance, field, contour, paths, matrix, farthest_points = map(_function, METHODS)

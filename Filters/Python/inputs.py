@@ -57,7 +57,7 @@ def with_barriers(surface, barriers):
 
 def with_ids(source, ids):
     """A shallow copy of a source with the array SOURCE_IDS, at its cells or at its points, as many as there are."""
-    ids = _array(ids, "source_ids")
+    ids = array_of(ids, "source_ids")
     if source is None or ids.ndim != 1 or not np.issubdtype(ids.dtype, np.integer):
         raise GeodesicError("source_ids has an integer for each part of the source.")
     copy = _shallow_copy(source, "source_ids")
@@ -89,7 +89,7 @@ def point_indices(where, count, name):
     """
     if isinstance(where, vtkDataObject):
         return None
-    where = _array(where, name)
+    where = array_of(where, name)
     if where.dtype == bool:
         if where.shape != (count,):
             raise GeodesicError(f"{name} is given by True and False, in the shape {where.shape}, but the surface has "
@@ -105,22 +105,11 @@ def point_indices(where, count, name):
     return checked(np.atleast_1d(where), count, name)
 
 
-def index_pairs(pairs, count):
-    """Pairs of indices of points of a surface that has so many."""
-    pairs = _array(pairs, "pairs")
-    if pairs.size == 0:
-        return np.empty((0, 2), np.int64)
-    if pairs.ndim != 2 or pairs.shape[1] != 2 or not np.issubdtype(pairs.dtype, np.integer):
-        raise GeodesicError(f"pairs has the shape {pairs.shape} and holds {pairs.dtype}: it has rows of two indices of "
-                            "points.")
-    return checked(pairs, count, "pairs")
-
-
-def checked(ids, count, name):
-    """Indices of points of a surface that has so many."""
+def checked(ids, count, name, owner="the surface"):
+    """Indices of points of an owner that has so many."""
     if ids.size and (ids.min() < 0 or ids.max() >= count):
         wrong = ids.max() if ids.max() >= count else ids.min()
-        raise GeodesicError(f"{name}: the surface has {count} points, with indices from 0; there is no {wrong}.")
+        raise GeodesicError(f"{name}: {owner} has {count} points, with indices from 0; there is no {wrong}.")
     return ids.astype(np.int64)
 
 
@@ -162,14 +151,14 @@ def curve(positions, closed=False):
 
 def numbers(values, name):
     """An array of real numbers."""
-    array = _array(values, name)
+    array = array_of(values, name)
     if array.size == 0 or array.dtype == bool or np.issubdtype(array.dtype, np.number):
         if not np.issubdtype(array.dtype, np.complexfloating):
             return array.astype(float)
     raise GeodesicError(f"{name}: {array.dtype} are given where numbers are needed.")
 
 
-def _array(values, name):
+def array_of(values, name):
     """What is given as an array, a list, or columns of pandas."""
     if isinstance(values, (set, frozenset, dict, str, bytes)):
         raise GeodesicError(f"{name} is given as a {type(values).__name__}. It is an index of a point or several, or "
@@ -352,7 +341,7 @@ def _without_counts(sizes, ids, count):
 
 
 def _integers(values):
-    array = _array(values, "Faces")
+    array = array_of(values, "Faces")
     if array.size and not np.issubdtype(array.dtype, np.integer):
         raise GeodesicError(f"Faces are given as {array.dtype}: indices are integers (faces.astype(int)).")
     return array.astype(np.int64)

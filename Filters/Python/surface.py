@@ -8,12 +8,12 @@ import threading
 from contextlib import contextmanager
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from . import arrays, inputs, pickling
 from .messages import GeodesicError, property_name, run, warn
+from .pairs import Places, few_sources, index_pairs
 from .vtkFiltersGeodesic import (vtkGeodesicContour, vtkGeodesicDistanceField, vtkGeodesicDistanceMatrix,
                                  vtkGeodesicPaths)
 
@@ -91,7 +91,7 @@ class Surface:
               custom_unreached_value=-1, remove_unused_points=False, distance_array_name="GeodesicDistance",
               generate_source_ids=False, generate_closest_points=False, generate_gradients=False,
               generate_signed_distance=False, generate_source_arc_length=False, generate_source_angle=False,
-              generate_texture_coordinates=False, texture_scale=0, output_points_precision=2, boundary=False,
+              generate_texture_coordinates=False, texture_scale=0, texture_repeats=True, output_points_precision=2, boundary=False,
               join_lines=True, source_ids=None):
         """The distances and what else is asked for, as a dictionary of arrays.
 
@@ -105,7 +105,8 @@ class Surface:
         interpolated linearly; the points of the surface come first then.
         """
         output = Surface._solve(**locals())
-        return {**arrays.arrays_of([block.GetPointData() for block in arrays.blocks_of(output)]), **_frames(output),
+        at_points = arrays.arrays_of([block.GetPointData() for block in arrays.blocks_of(output)])
+        return {**at_points, **arrays.frames_of(output),
                 "points": np.array(arrays.points_of(output)), "faces": arrays.faces_of(output)}
 
     @_one_at_a_time
@@ -116,7 +117,7 @@ class Surface:
         "lines" has the indices into "points" for each line, "GeodesicDistance" the distance of each line. At distance 0
         are the lines of the source; its single points are no lines.
         """
-        return _lines(Surface._run(kind=vtkGeodesicContour, **locals()))
+        return arrays.lines_with_points(Surface._run(kind=vtkGeodesicContour, **locals()))
 
     @_one_at_a_time
     def paths(self, source, targets, *, generate_source_arc_length=False, generate_source_angle=False,
@@ -132,7 +133,7 @@ class Surface:
         given["targets"], of_faces = self._targets(targets)
         _warn_of_unreached(of_faces, "targets")
         output = Surface._run(kind=vtkGeodesicPaths, **given)
-        result = {**_lines(output), **_frames(output)}
+        result = {**arrays.lines_with_points(output), **arrays.frames_of(output)}
         if generate_face_ids:
             result["FaceId"] = arrays.arrays_of([output.GetPointData()])["FaceId"]
         if not of_faces.any():
@@ -146,16 +147,70 @@ class Surface:
                source_ids=None):
         """The distances of each target (row) to each part of the source (column), each alone.
 
-        Targets are given as a source is; without them they are the points of the source. Instead of both, pairs takes
-        rows of two indices of points, k x 2, and gives one distance a row, without the whole table: it measures from
-        as few points as will do, once from each, no farther than to its partners.
+        Targets are given as a source is; without them they are the points of the source. pairs takes rows of two
+        indices, k x 2, and gives one distance a row, without the whole table: it measures from as few points as will
+        do, once from each, no farther than to its partners. The first index of a row is that of a point of the source,
+        the second that of a target, both given by positions or by indices; without source and targets, both are
+        indices of points of the surface.
         """
         if pairs is None:
             return self._table(source, targets, maximum_distance=maximum_distance, boundary=boundary,
                                join_lines=join_lines, source_ids=source_ids)
-        if source is not None or targets is not None or boundary or source_ids is not None:
-            raise GeodesicError("pairs has the indices of both points: give no source and no targets with it.")
-        return self._distances_of_pairs(pairs, maximum_distance=maximum_distance)
+        if (source is None) != (targets is None):
+            raise GeodesicError("pairs has indices of points of the source and of targets: give both, or neither for "
+                                "points of the surface.")
+        if boundary or source_ids is not None:
+            raise GeodesicError("pairs are of single points: give no boundary and no source_ids with it.")
+        return self._distances_of_pairs(pairs, source, targets, maximum_distance=maximum_distance)
+
+    @_one_at_a_time
+    def farthest_points(self, count, start=0):
+        """Points spread evenly: the indices of so many, and the distance of each to the nearest of those before it.
+
+        The first one is start, an index (or several, as one in each component); each next one is the point of the
+        surface that is farthest from all before it, the one of lowest index if several are. So every point is within
+        the last distance of the points before the last one. The first distance is infinite. Points to which no path
+        leads from the start are left out.
+        """
+        starts = inputs.point_indices(start, self._number_of_points(), "The start")
+        if starts is None:
+            raise GeodesicError("The start is an index of a point, or several.")
+        if count < len(starts):
+            raise GeodesicError(f"count is {count}, but the start alone has {len(starts)}: give a larger count.")
+        of_faces = self._are_of_faces(starts)
+        if not of_faces.all():
+            raise GeodesicError(f"Point {starts[~of_faces][0]} of the start belongs to no face of the surface.")
+        known = np.full(self._number_of_points(), np.inf)
+        ids, radii = [], []
+        for start in starts:
+            ids.append(start)
+            radii.append(known[start])
+            if len(ids) < count:
+                self._shorten(known, start)
+        if count > len(starts):
+            self._warn_of_parts_without(known)
+        while len(ids) < count:
+            ids.append(np.where(known < np.inf, known, -1).argmax())
+            radii.append(known[ids[-1]])
+            if not radii[-1] > 0:
+                raise GeodesicError(f"count is {count}, but there are only {len(ids) - 1} points at different places "
+                                    "to which a path leads from the start.")
+            if len(ids) < count:
+                # All points are within this distance of those before: the new point is nearest to none beyond it.
+                self._shorten(known, ids[-1], maximum_distance=radii[-1])
+        return np.array(ids, np.int64), np.array(radii)
+
+    def _shorten(self, known, point, **given):
+        """Shortens known distances where the point is nearer."""
+        output = self._solve(source=inputs.indexed_points(np.array([point], np.int64), self._data),
+                             **{**FIELD_DEFAULTS, **given})
+        np.minimum(known, arrays.point_array(output, "GeodesicDistance"), out=known)
+
+    def _warn_of_parts_without(self, known):
+        lost = self._used_points() & ~(known < np.inf)
+        if lost.any() and self._properties["barrier_array_name"] is None:
+            warn(f"{lost.sum()} points are left out, as no path leads to them from the start, such as point "
+                 f"{lost.argmax()}: give a start in each part of the surface.")
 
     def _solve(self, accuracy, relative_error, **given):
         """The output of the field's filter."""
@@ -175,24 +230,44 @@ class Surface:
             raise GeodesicError("No point of the source belongs to a face of the surface.")
         places, rows = (None, columns) if targets is None else self._targets(targets)
         _warn_of_unreached(rows, "targets")
-        table = _columns(self._run(vtkGeodesicDistanceMatrix, data, places, **given))
+        table = arrays.columns_of(self._run(vtkGeodesicDistanceMatrix, data, places, **given))
         table = table if rows.any() else table[:0]
-        return _with_infinite(_with_infinite(table, rows, axis=0), columns, axis=1)
+        return arrays.with_infinite(arrays.with_infinite(table, rows, axis=0), columns, axis=1)
 
-    def _distances_of_pairs(self, pairs, **given):
+    def _distances_of_pairs(self, pairs, source, targets, **given):
         """The distance of the two points of each row."""
-        pairs = inputs.index_pairs(pairs, self._number_of_points())
-        of_faces = self._are_of_faces(pairs).all(axis=1)
+        places, pairs = self._places_of_pairs(pairs, source, targets)
+        is_index = places.ids >= 0
+        are_of_faces = np.ones(len(places), bool)
+        are_of_faces[is_index] = self._are_of_faces(places.ids[is_index])
+        of_faces = are_of_faces[pairs].all(axis=1)
         _warn_of_unreached(of_faces, "pairs")
         rows = np.flatnonzero(of_faces)
-        sources, targets = _few_sources(pairs[rows])
-        order = np.argsort(sources, kind="stable")
+        starts, ends = few_sources(pairs[rows])
+        order = np.argsort(starts, kind="stable")
         result = np.full(len(pairs), np.inf)
-        for group in np.split(order, np.flatnonzero(np.diff(sources[order])) + 1):
+        for group in np.split(order, np.flatnonzero(np.diff(starts[order])) + 1):
             if len(group):
-                ends = (inputs.indexed_points(ids, self._data) for ids in (sources[group[:1]], targets[group]))
-                result[rows[group]] = _columns(self._run(vtkGeodesicDistanceMatrix, *ends, **given))[:, 0]
+                both = (places[numbers].data_set(self._data) for numbers in (starts[group[:1]], ends[group]))
+                result[rows[group]] = arrays.columns_of(self._run(vtkGeodesicDistanceMatrix, *both, **given))[:, 0]
         return result
+
+    def _places_of_pairs(self, pairs, source, targets):
+        """The places in pairs, each once, and the pairs as their numbers."""
+        if source is None:
+            pairs = index_pairs(pairs, [("the surface", self._number_of_points())] * 2)
+            return Places.each_once(*map(Places.of_indices, pairs.T))
+        sides = self._single_points(source, "The source"), self._single_points(targets, "The set of targets")
+        pairs = index_pairs(pairs, list(zip(("the source", "the set of targets"), map(len, sides))))
+        return Places.each_once(*(side[column] for side, column in zip(sides, pairs.T)))
+
+    def _single_points(self, where, name):
+        where = inputs.unwrapped(where)
+        if isinstance(where, vtkDataObject):
+            raise GeodesicError(f"{name}: pairs index positions or indices of points. Give the points of a data set, "
+                                "such as mesh.points of PyVista.")
+        ids = inputs.point_indices(where, self._number_of_points(), name)
+        return Places.of_positions(where, name) if ids is None else Places.of_indices(ids)
 
     def _run(self, kind, source, targets=None, *, distances=(), boundary=False, source_ids=None, **properties):
         """The output of a filter of a kind, which is kept. targets: None or a data set."""
@@ -268,7 +343,8 @@ class Surface:
 
 FIELD_DEFAULTS = {name: parameter.default for name, parameter in inspect.signature(Surface.field).parameters.items()
                   if parameter.kind == parameter.KEYWORD_ONLY}
-METHODS = (Surface.distance, Surface.field, Surface.contour, Surface.paths, Surface.matrix)
+METHODS = (Surface.distance, Surface.field, Surface.contour, Surface.paths, Surface.matrix,
+           Surface.farthest_points)
 # Properties of the filters, as their messages name them, and what they are called here.
 ARGUMENTS = {property_name(argument): argument for function in (Surface, *METHODS)
              for argument in inspect.signature(function).parameters if "_" in argument}
@@ -310,15 +386,6 @@ def _threads(number):
         vtkSMPTools.SetBackend(backend)
 
 
-def _few_sources(pairs):
-    """The ends of pairs of which there are fewer, and the other ends: one column, or of each pair the busier end."""
-    count = np.bincount(pairs.ravel())
-    ways = np.zeros(len(pairs), int), np.ones(len(pairs), int), (count[pairs[:, 1]] > count[pairs[:, 0]]).astype(int)
-    rows = np.arange(len(pairs))
-    column = min(ways, key=lambda way: len(np.unique(pairs[rows, way])))
-    return pairs[rows, column], pairs[rows, 1 - column]
-
-
 def _warn_of_unreached(of_faces, what):
     """Counts those that are not on the surface."""
     lost = np.flatnonzero(~of_faces)
@@ -326,25 +393,3 @@ def _warn_of_unreached(of_faces, what):
         names = ", ".join(map(str, lost[:3])) + (f" and {len(lost) - 3} more" if len(lost) > 3 else "")
         warn(f"{len(lost)} of {len(of_faces)} {what} not reached, as points that no face uses are not on the surface: "
              f"number {names}.")
-
-
-def _columns(table):
-    """The distances in a table, one row a target."""
-    columns = [vtk_to_numpy(table.GetColumn(i)) for i in range(1, table.GetNumberOfColumns())]
-    return np.column_stack(columns) if columns else np.empty((table.GetNumberOfRows(), 0))
-
-
-def _with_infinite(table, are_there, axis):
-    """A table with rows or columns of infinity where those of are_there are not in it."""
-    return np.insert(table, np.cumsum(are_there)[~are_there], np.inf, axis=axis)
-
-
-def _lines(output):
-    lines, of_lines = arrays.lines_of(output)
-    return {"points": np.array(arrays.points_of(output)), "lines": lines, **of_lines}
-
-
-def _frames(output):
-    """The frames of the sources where angles are measured in them."""
-    array = output.GetFieldData().GetArray("SourceFrame")
-    return {"SourceFrame": np.array(vtk_to_numpy(array)).reshape(-1, 3, 3)} if array else {}

@@ -354,18 +354,61 @@ std::string describe(const std::vector<Polyline>& curves)
   return text.str();
 }
 
+geodesic::FrontOptions FieldWithFeet::withAngles(bool keepAngles)
+{
+  geodesic::FrontOptions options;
+  options.keepArrivals = true;
+  options.keepAngles = keepAngles;
+  return options;
+}
+
+FieldWithFeet::FieldWithFeet(const PlainMesh& plain, const std::vector<Polyline>& polylines,
+  const geodesic::FrontOptions& options)
+  : mesh(engineMesh(plain))
+  , curves(engineCurves(mesh, polylines))
+  , field(geodesic::solve(mesh, curves, options, geodesic::KeepWindows::All))
+  , nearest(field, geodesic::ReplicatedPatch(mesh), curves)
+{
+  for (std::size_t i = 0; i < this->curves.size(); ++i)
+  {
+    this->curves[i].source = static_cast<geodesic::Id>(i);
+  }
+}
+
+geodesic::Foot FieldWithFeet::footOf(const geodesic::SurfacePoint& point)
+{
+  return point.kind == geodesic::SurfacePoint::Kind::Vertex
+    ? this->nearest.atVertex(point.id)
+    : this->nearest.of(geodesic::incomingSegmentTo(this->field, point));
+}
+
+std::vector<geodesic::SurfacePoint> verticesAnd(
+  const geodesic::TriangleMesh& mesh, const std::vector<MeshPoint>& queries)
+{
+  std::vector<geodesic::SurfacePoint> points;
+  for (geodesic::Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    points.push_back(geodesic::SurfacePoint::atVertex(vertex));
+  }
+  for (const MeshPoint& query : queries)
+  {
+    points.push_back(geodesic::normalized(mesh, enginePoint(mesh, query)));
+  }
+  return points;
+}
+
 void FoundPath::take(const geodesic::PathToSource& path)
 {
   EXPECT_TRUE(this->points.empty()) << "a path was handed over twice";
   this->points = path.points;
   for (std::size_t i = 0; i < path.points.size(); ++i)
   {
-    this->places.push_back(geodesic::position(path.mesh, path.points[i]));
+    this->places.push_back(geodesic::position(path.mesh(), path.points[i]));
     EXPECT_TRUE(i == 0 ||
-      geodesic::commonFace(path.mesh, path.points[i - 1], path.points[i]) != geodesic::NoId)
+      geodesic::commonFace(path.mesh(), path.points[i - 1], path.points[i]) != geodesic::NoId)
       << "points " << i - 1 << " and " << i << " of a path have no face in common";
   }
-  this->source = path.end.source;
+  static_cast<geodesic::PathEnd&>(*this) = path.end;
   this->wasLost = path.wasLost;
 }
 
@@ -375,7 +418,7 @@ std::vector<FoundPath> findPaths(const geodesic::MeshPartition& part,
 {
   std::vector<FoundPath> paths(targets.size());
   geodesic::pathsToSource(part, patch, curves, targets, job,
-    [&](std::size_t target, const geodesic::PathToSource& path) { paths[target].take(path); });
+    [&](const geodesic::PathToSource& path) { paths[path.target].take(path); });
   return paths;
 }
 

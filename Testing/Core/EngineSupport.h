@@ -9,6 +9,7 @@
 #include "truth/TestMeshes.h"
 
 #include "field/DistanceField.h"
+#include "field/NearestSource.h"
 #include "mesh/SurfacePoint.h"
 #include "mesh/TriangleMesh.h"
 #include "paths/JoinPoints.h"
@@ -19,7 +20,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -145,29 +148,92 @@ struct RandomCase
 RandomCase randomCase(const MeshKind& kind, std::uint64_t seed, std::size_t numberOfQueries,
   Index mostFaces = std::numeric_limits<Index>::max());
 
-/// Calls test(Random&) for each seed of a test. Failures name the seed.
+/// The random numbers of each seed of a test, one seed after the other; failures name the seed.
 ///
-/// \param salt is added to the seeds, so that tests differ.
+///   for (Random& random : EachSeed(100)) { ... }
+class EachSeed
+{
+public:
+  /// \param salt is added to the seeds, so that tests differ.
+  explicit EachSeed(std::uint64_t count, std::uint64_t salt = 0)
+    : seeds_(seedsOfTest(count))
+    , salt_(salt)
+  {
+  }
+
+  class Iterator
+  {
+  public:
+    Iterator(std::uint64_t seed, const EachSeed& range)
+      : seed_(seed)
+      , range_(range)
+    {
+    }
+    Random& operator*()
+    {
+      this->trace_.emplace(__FILE__, __LINE__, "seed " + std::to_string(this->seed_));
+      this->random_ = Random(this->seed_ + this->range_.salt_);
+      return this->random_;
+    }
+    void operator++()
+    {
+      this->trace_.reset();
+      ++this->seed_;
+    }
+    bool operator!=(const Iterator& other) const { return this->seed_ != other.seed_; }
+
+  private:
+    std::uint64_t seed_;
+    const EachSeed& range_;
+    Random random_{ 0 };
+    std::optional<testing::ScopedTrace> trace_;
+  };
+
+  Iterator begin() const { return { this->seeds_.first, *this }; }
+  Iterator end() const { return { this->seeds_.end(), *this }; }
+
+private:
+  Seeds seeds_;
+  std::uint64_t salt_;
+};
+
+/// Calls test(Random&) for each seed of a test.
 template <typename Test>
 void forEachSeed(std::uint64_t count, std::uint64_t salt, const Test& test)
 {
-  const Seeds seeds = seedsOfTest(count);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(count, salt))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + salt);
     test(random);
   }
 }
 
-/// What was found of a target.
-struct FoundPath
+/// A field with all windows, and the feet of its paths.
+struct FieldWithFeet
 {
-  /// On the mesh that geodesic::pathsToSource() has told, and in space; none where the target is
-  /// not reached.
+  geodesic::TriangleMesh mesh;
+  std::vector<geodesic::SourceCurve> curves;
+  geodesic::DistanceField field;
+  geodesic::NearestSource nearest;
+
+  static geodesic::FrontOptions withAngles(bool keepAngles = true);
+
+  /// The source of each curve is its index.
+  FieldWithFeet(const PlainMesh& plain, const std::vector<Polyline>& polylines,
+    const geodesic::FrontOptions& options = withAngles());
+
+  geodesic::Foot footOf(const geodesic::SurfacePoint& point);
+};
+
+/// The vertices, and other points behind them.
+std::vector<geodesic::SurfacePoint> verticesAnd(
+  const geodesic::TriangleMesh& mesh, const std::vector<MeshPoint>& queries);
+
+/// What was found of a target; the end is not known where the target is not reached.
+struct FoundPath : geodesic::PathEnd
+{
+  /// On the mesh that geodesic::pathsToSource() has told, and in space.
   std::vector<geodesic::SurfacePoint> points;
   std::vector<geodesic::Vec3> places;
-  geodesic::Id source = geodesic::NoId;
   bool wasLost = false;
 
   void take(const geodesic::PathToSource& path);

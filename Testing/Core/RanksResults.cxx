@@ -8,6 +8,7 @@
 #include "contours/IsolineSides.h"
 #include "contours/SolveForIsolines.h"
 #include "field/NearestSource.h"
+#include "paths/PathCorridor.h"
 #include "paths/PathInStrip.h"
 #include "refinement/RefinedOnRanks.h"
 #include "refinement/SolveForRefinement.h"
@@ -241,11 +242,11 @@ std::vector<FoundPath> pathsInStrips(
           atVertex = atVertex <= distances[i] ? atVertex : geodesic::Infinity;
         }
         const auto found = geodesic::pathInStrip(rank.part, rank.patch, curves,
-          { face, target, distances[i] }, { atVertices, distances[i] }, {});
+          { face, target, distances[i] }, geodesic::lowerBoundsOf(atVertices, distances[i]), {});
         EXPECT_EQ(found.has_value(), isHere);
         if (found)
         {
-          paths[i].take(geodesic::toSource(*found));
+          paths[i].take(*found);
         }
       }
     });

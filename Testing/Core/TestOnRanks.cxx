@@ -531,10 +531,8 @@ TEST_P(OnRanks, FrontsStopAtALimitWhereOneProcessDoes)
 
 TEST_P(OnRanks, ApproximateFieldsKeepTheCertifiedBound)
 {
-  for (std::uint64_t seed = 0; seed < meshesOfAKind(2); ++seed)
+  for (Random& random : EachSeed(meshesOfAKind(2), 500))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 500);
     RandomScene scene(GetParam(), random);
     scene.relativeError = 0.01;
     const double rounding = scene.accuracy * scene.largest;

@@ -21,16 +21,27 @@ namespace GeodesicTesting
 
 using Where = std::function<bool(const Point&)>;
 
-inline Point CentreOf(vtkPolyData* data, vtkIdType cell)
+inline std::vector<Point> CornersOf(vtkPolyData* data, vtkIdType cell)
 {
   vtkNew<vtkIdList> ids;
   data->GetCellPoints(cell, ids);
+  std::vector<Point> corners(static_cast<std::size_t>(ids->GetNumberOfIds()));
+  for (std::size_t k = 0; k < corners.size(); ++k)
+  {
+    data->GetPoint(ids->GetId(static_cast<vtkIdType>(k)), corners[k].data());
+  }
+  return corners;
+}
+
+inline Point CentreOf(vtkPolyData* data, vtkIdType cell)
+{
+  const std::vector<Point> corners = CornersOf(data, cell);
   Point centre{};
-  for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+  for (const Point& corner : corners)
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
-      centre[i] += data->GetPoint(ids->GetId(k))[i] / static_cast<double>(ids->GetNumberOfIds());
+      centre[i] += corner[i] / static_cast<double>(corners.size());
     }
   }
   return centre;
@@ -121,6 +132,29 @@ inline Distance AroundWall(const Point& source)
 inline vtkSmartPointer<vtkPolyData> SquareWithWall(int n, Cells cells = Cells::Triangles)
 {
   return WithBarriers(Square(n, cells), IsInWall);
+}
+
+/// Runs a filter on a surface with barriers, without an error.
+///
+/// \param source nothing: the boundary.
+/// \returns its warnings.
+inline std::string RunWithBarriers(Check& check, vtkGeodesicAlgorithm* filter,
+  vtkDataObject* surface, vtkPolyData* source, const std::string& what)
+{
+  filter->SetInputDataObject(0, surface);
+  if (source)
+  {
+    filter->SetSourceData(source);
+  }
+  else
+  {
+    filter->SetSourceTypeToSurfaceBoundary();
+  }
+  filter->SetBarrierArrayName("barrier");
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Error().empty(), what + ": " + messages.Error());
+  return messages.Warning();
 }
 
 /// Marks cells by their centre as duplicates.
@@ -241,16 +275,11 @@ inline double CountHangingPoints(const std::vector<vtkPolyData*>& surfaces)
   {
     for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
     {
-      vtkNew<vtkIdList> ids;
-      data->GetCellPoints(cell, ids);
-      for (vtkIdType k = 0; k < 3; ++k)
+      const std::vector<Point> corners = CornersOf(data, cell);
+      points.insert(corners.begin(), corners.end());
+      for (std::size_t k = 0; k < 3; ++k)
       {
-        Point a;
-        Point b;
-        data->GetPoint(ids->GetId(k), a.data());
-        data->GetPoint(ids->GetId((k + 1) % 3), b.data());
-        points.insert(a);
-        edges.insert(std::minmax(a, b));
+        edges.insert(std::minmax(corners[k], corners[(k + 1) % 3]));
       }
     }
   }
@@ -320,15 +349,12 @@ inline double EdgeLengthsDiffer(vtkPolyData* input, vtkPolyData* output)
 /// Of a plane cell.
 inline double AreaOf(vtkPolyData* data, vtkIdType cell)
 {
-  vtkNew<vtkIdList> ids;
-  data->GetCellPoints(cell, ids);
+  const std::vector<Point> corners = CornersOf(data, cell);
   Point normal{};
-  for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+  for (std::size_t k = 0; k < corners.size(); ++k)
   {
-    Point a;
-    Point b;
-    data->GetPoint(ids->GetId(k), a.data());
-    data->GetPoint(ids->GetId((k + 1) % ids->GetNumberOfIds()), b.data());
+    const Point& a = corners[k];
+    const Point& b = corners[(k + 1) % corners.size()];
     for (std::size_t i = 0; i < 3; ++i)
     {
       normal[i] += 0.5 * (a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]);

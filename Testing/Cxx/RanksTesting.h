@@ -409,6 +409,13 @@ inline void Compare(Check& check, vtkDataObject* piece, vtkPolyData* surface,
     "the source's distance from the surface");
   near(filter->GetSourceLength(), whole.Filter->GetSourceLength(), 1e-12 * whole.Largest,
     "the source's length");
+  // Each distance is shorter than the exact one by the bound at most; refined points may differ.
+  const double apart =
+    1e-3 + std::max(filter->GetRelativeErrorBound(), whole.Filter->GetRelativeErrorBound());
+  near(filter->GetLargestDistance(), whole.Filter->GetLargestDistance(), apart * whole.Largest,
+    "the largest distance");
+  check.That(filter->GetHasUnreachedPoints() == whole.Filter->GetHasUnreachedPoints(),
+    what + ": whether there are points that are not reached");
   // A rank that works for others puts it out, too.
   const double length = TotalLength(filter->GetOutput(1));
   double longest = 0.0;

@@ -27,15 +27,11 @@ bool IsInBarrier(std::size_t target)
 void CheckPaths(Check& check)
 {
   vtkNew<vtkGeodesicPaths> filter;
-  filter->SetInputData(SquareWithWall(16));
-  filter->SetSourceData(PointSources({ Source }));
   filter->SetTargetsData(PointSources(Targets));
-  filter->SetBarrierArrayName("barrier");
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), "paths: " + messages.Error());
-  check.That(Contains(messages.Warning(), "2 targets not reached"),
-    "targets in a barrier are counted: " + messages.Warning());
+  const std::string warning =
+    RunWithBarriers(check, filter, SquareWithWall(16), PointSources({ Source }), "paths");
+  check.That(
+    Contains(warning, "2 targets not reached"), "targets in a barrier are counted: " + warning);
   auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
   check.Equal(static_cast<double>(output->GetNumberOfLines()), 5.0, "paths");
   vtkIdType line = 0;
@@ -50,15 +46,10 @@ void CheckPaths(Check& check)
     const double length = output->GetCellData()->GetArray("GeodesicDistance")->GetTuple1(line);
     check.That(std::abs(length - AroundWall(Source)(Targets[i])) < 1e-12,
       "the length of a path around a wall: " + std::to_string(length));
-    vtkNew<vtkIdList> ids;
-    output->GetLines()->GetCellAtId(line, ids);
-    for (vtkIdType k = 1; k < ids->GetNumberOfIds(); ++k)
+    const std::vector<Point> points = CornersOf(output, output->GetNumberOfVerts() + line);
+    for (std::size_t k = 1; k < points.size(); ++k)
     {
-      Point a;
-      Point b;
-      output->GetPoint(ids->GetId(k - 1), a.data());
-      output->GetPoint(ids->GetId(k), b.data());
-      check.That(IsFree(a, b), "no piece of a path crosses the wall");
+      check.That(IsFree(points[k - 1], points[k]), "no piece of a path crosses the wall");
     }
     ++line;
   }
@@ -67,14 +58,9 @@ void CheckPaths(Check& check)
 void CheckMatrix(Check& check)
 {
   vtkNew<vtkGeodesicDistanceMatrix> filter;
-  filter->SetInputData(SquareWithWall(16));
-  const Point other{ 0.8, 0.3, 0 };
-  filter->SetSourceData(PointSources({ Source, other }));
   filter->SetTargetsData(PointSources(Targets));
-  filter->SetBarrierArrayName("barrier");
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), "a matrix: " + messages.Error());
+  RunWithBarriers(
+    check, filter, SquareWithWall(16), PointSources({ Source, { 0.8, 0.3, 0 } }), "a matrix");
   vtkTable* table = filter->GetOutput();
   check.Equal(
     static_cast<double>(table->GetNumberOfRows()), static_cast<double>(Targets.size()), "rows");
@@ -94,13 +80,8 @@ void CheckMatrix(Check& check)
 void CheckContour(Check& check)
 {
   vtkNew<vtkGeodesicContour> filter;
-  filter->SetInputData(SquareWithWall(16));
-  filter->SetSourceData(PointSources({ Source }));
-  filter->SetBarrierArrayName("barrier");
   filter->GenerateValues(8, 0.2, 1.2);
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), "isolines: " + messages.Error());
+  RunWithBarriers(check, filter, SquareWithWall(16), PointSources({ Source }), "isolines");
   auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
   check.That(output->GetNumberOfLines() >= 8, "there are lines");
   vtkDataArray* values = output->GetPointData()->GetArray("GeodesicDistance");

@@ -50,24 +50,24 @@ double CompareWithBruteForce(Check& check, const geodesictest::MeshKind& kind, s
 geodesictest::Barycentric WeightsIn(const PlainMesh& mesh, Index face, const Point& p)
 {
   const geodesictest::Triangle& t = mesh.triangles[face];
-  const auto minus = [](const Point& a, const Point& b) {
-    return Point{ a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-  };
-  const auto dot = [](const Point& a, const Point& b)
-  { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  Point u;
+  Point v;
+  Point w;
+  vtkMath::Subtract(mesh.points[t[1]].data(), mesh.points[t[0]].data(), u.data());
+  vtkMath::Subtract(mesh.points[t[2]].data(), mesh.points[t[0]].data(), v.data());
+  vtkMath::Subtract(p.data(), mesh.points[t[0]].data(), w.data());
   const auto cross = [](const Point& a, const Point& b)
   {
-    return Point{ a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+    Point result;
+    vtkMath::Cross(a.data(), b.data(), result.data());
+    return result;
   };
-  const Point u = minus(mesh.points[t[1]], mesh.points[t[0]]);
-  const Point v = minus(mesh.points[t[2]], mesh.points[t[0]]);
-  const Point w = minus(p, mesh.points[t[0]]);
   const Point normal = cross(u, v);
-  const double a = dot(cross(w, v), normal) / dot(normal, normal);
-  const double b = dot(cross(u, w), normal) / dot(normal, normal);
+  const auto along = [&normal](const Point& a)
+  { return vtkMath::Dot(a.data(), normal.data()) / vtkMath::Dot(normal.data(), normal.data()); };
   // Clamped, as new points on edges are off by rounding.
-  const double second = std::clamp(a, 0.0, 1.0);
-  const double third = std::clamp(b, 0.0, 1.0 - second);
+  const double second = std::clamp(along(cross(w, v)), 0.0, 1.0);
+  const double third = std::clamp(along(cross(u, w)), 0.0, 1.0 - second);
   return { 1.0 - second - third, second, third };
 }
 
@@ -181,71 +181,56 @@ void CheckTruth(Check& check, vtkPolyData* output, const Distance& truth, const 
   check.That(worst <= 1e-12, what + ": wrong by " + std::to_string(worst));
 }
 
+const Point Source{ 0.125, 0.1875, 0 };
+
 void CheckWall(Check& check)
 {
-  const Point source{ 0.125, 0.1875, 0 };
-  for (const Cells cells : { Cells::Triangles, Cells::Quads })
+  const Distance truth = AroundWall(Source);
+  for (const bool refine : { false, true })
   {
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->RefineMeshOff();
-    filter->SetInputData(SquareWithWall(16, cells));
-    filter->SetSourceData(PointSources({ source }));
-    filter->SetBarrierArrayName("barrier");
-    Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty(), "a wall: " + messages.Error());
-    check.That(messages.Warning().empty(), "barriers give no warning: " + messages.Warning());
-    check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfCells()), 512.0,
-      "cells of a square with a wall");
-    CheckTruth(check, filter->GetOutput(), AroundWall(source), "a wall");
-  }
-}
-
-void CheckRefinedWall(Check& check)
-{
-  const Point source{ 0.125, 0.1875, 0 };
-  const Distance truth = AroundWall(source);
-  for (const Cells cells : { Cells::Triangles, Cells::Quads })
-  {
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(SquareWithWall(16, cells));
-    filter->SetSourceData(PointSources({ source }));
-    filter->SetBarrierArrayName("barrier");
-    filter->ToleranceIsAbsoluteOn();
-    filter->SetAbsoluteRefinementTolerance(0.0005);
-    Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty(), "a refined wall: " + messages.Error());
-    vtkPolyData* output = filter->GetOutput();
-    CheckTruth(check, output, truth, "a refined wall");
-    check.That(CountBarrierParts(output, IsInWall) > 48, "the rim of a barrier is split");
-    check.Equal(CountHangingPoints({ output }), 0.0, "hanging points around a barrier");
-    check.That(AreaError(SquareWithWall(16, cells), output) < 1e-13,
-      "each cell is covered by its parts, barriers too");
-    check.That(InterpolationError(output, IsInWall, truth) <= filter->GetInterpolationErrorBound(),
-      "the tolerance is met beside a barrier");
-    check.That(filter->GetInterpolationErrorBound() <= 0.0005, "the bound is met");
+    for (const Cells cells : { Cells::Triangles, Cells::Quads })
+    {
+      const std::string what = refine ? "a refined wall" : "a wall";
+      vtkNew<vtkGeodesicDistanceField> filter;
+      filter->SetRefineMesh(refine);
+      filter->ToleranceIsAbsoluteOn();
+      filter->SetAbsoluteRefinementTolerance(0.0005);
+      const auto surface = SquareWithWall(16, cells);
+      const std::string warning =
+        RunWithBarriers(check, filter, surface, PointSources({ Source }), what);
+      check.That(warning.empty(), "barriers give no warning: " + warning);
+      vtkPolyData* output = filter->GetOutput();
+      CheckTruth(check, output, truth, what);
+      if (!refine)
+      {
+        check.Equal(
+          static_cast<double>(output->GetNumberOfCells()), 512.0, "cells of a square with a wall");
+        continue;
+      }
+      check.That(CountBarrierParts(output, IsInWall) > 48, "the rim of a barrier is split");
+      check.Equal(CountHangingPoints({ output }), 0.0, "hanging points around a barrier");
+      check.That(
+        AreaError(surface, output) < 1e-13, "each cell is covered by its parts, barriers too");
+      check.That(
+        InterpolationError(output, IsInWall, truth) <= filter->GetInterpolationErrorBound(),
+        "the tolerance is met beside a barrier");
+      check.That(filter->GetInterpolationErrorBound() <= 0.0005, "the bound is met");
+    }
   }
 }
 
 /// What is nearest has no value inside barriers, and has one on their rims.
 void CheckArrays(Check& check)
 {
-  const Point source{ 0.125, 0.1875, 0 };
   for (const bool refine : { false, true })
   {
     vtkNew<vtkGeodesicDistanceField> filter;
     filter->SetRefineMesh(refine);
-    filter->SetInputData(SquareWithWall(16));
-    filter->SetSourceData(PointSources({ source }));
-    filter->SetBarrierArrayName("barrier");
     filter->GenerateSourceIdsOn();
     filter->GenerateClosestPointsOn();
     filter->GenerateGradientsOn();
     filter->GenerateSignedDistanceOn();
-    Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty(), "arrays: " + messages.Error());
+    RunWithBarriers(check, filter, SquareWithWall(16), PointSources({ Source }), "arrays");
     vtkPolyData* output = filter->GetOutput();
     const auto array = [&](const char* name) { return output->GetPointData()->GetArray(name); };
     for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
@@ -257,10 +242,10 @@ void CheckArrays(Check& check)
       array("ClosestSourcePoint")->GetTuple(i, closest.data());
       array("DistanceGradient")->GetTuple(i, gradient.data());
       const bool isReached = !IsInWall(p);
-      const bool isSource = p == source;
+      const bool isSource = p == Source;
       check.Equal(array("SourceId")->GetTuple1(i), isReached ? 0.0 : -1.0, "the source's id");
       check.That(
-        Length(closest, isReached ? source : p) < 1e-14, "the closest point of the source");
+        Length(closest, isReached ? Source : p) < 1e-14, "the closest point of the source");
       check.That(std::abs(std::hypot(gradient[0], gradient[1]) -
                    (isReached && !isSource ? 1.0 : 0.0)) < 1e-12,
         "the gradient's length");
@@ -273,7 +258,6 @@ void CheckArrays(Check& check)
 /// Also with the barrier in another block, whose points are its own.
 void CheckBlocks(Check& check)
 {
-  const Point source{ 0.125, 0.1875, 0 };
   const auto isLeft = [](const Point& p) { return p[0] < WallBegin; };
   const auto isRight = [](const Point& p) { return p[0] > WallBegin; };
   for (const bool refine : { false, true })
@@ -283,17 +267,12 @@ void CheckBlocks(Check& check)
     filter->SetRefinementTolerance(2e-4);
     auto left = Part(Square(16), isLeft); // without the array
     auto right = WithBarriers(Part(Square(16), isRight), IsInWall);
-    filter->SetInputDataObject(0, Blocks({ left, right }));
-    filter->SetSourceData(PointSources({ source }));
-    filter->SetBarrierArrayName("barrier");
-    Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty(), "blocks: " + messages.Error());
+    RunWithBarriers(check, filter, Blocks({ left, right }), PointSources({ Source }), "blocks");
     std::vector<vtkPolyData*> outputs;
     for (const unsigned int i : { 0u, 1u })
     {
       outputs.push_back(Block(filter, i));
-      CheckTruth(check, outputs.back(), AroundWall(source), "block " + std::to_string(i));
+      CheckTruth(check, outputs.back(), AroundWall(Source), "block " + std::to_string(i));
     }
     check.Equal(CountHangingPoints(outputs), 0.0, "hanging points in blocks");
     check.That(!refine || CountBarrierParts(outputs[1], IsInWall) > 48,
@@ -303,21 +282,16 @@ void CheckBlocks(Check& check)
 
 /// Copies by ghost arrays of what is a barrier look like it; whether they are marked does not
 /// matter.
-void CheckGhosts(Check& check)
+void CheckGhostsWithin(Check& check, vtkIdType most)
 {
-  const Point source{ 0.125, 0.1875, 0 };
   const double seam = 0.5625; // through the wall
   const auto isBefore = [](const Point& p) { return p[0] < 0.5625; };
   const auto isAfter = [](const Point& p) { return p[0] > 0.5625; };
   const auto none = [](const Point&) { return false; };
   const auto execute = [&](vtkGeodesicDistanceField* filter, vtkDataObject* surface)
   {
-    filter->SetInputDataObject(0, surface);
-    filter->SetSourceData(PointSources({ source }));
-    filter->SetBarrierArrayName("barrier");
-    Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty(), "ghosts: " + messages.Error());
+    filter->SetMaximumNumberOfCells(most);
+    RunWithBarriers(check, filter, surface, PointSources({ Source, { 0.7, 0.4, 0 } }), "ghosts");
   };
   vtkNew<vtkGeodesicDistanceField> plain;
   execute(plain,
@@ -349,6 +323,72 @@ void CheckGhosts(Check& check)
     "barriers with ghosts and without");
 }
 
+/// With and without a limit, for which copies do not count.
+void CheckGhosts(Check& check)
+{
+  for (const vtkIdType most : { 0, 660, 800 })
+  {
+    CheckGhostsWithin(check, most);
+  }
+}
+
+/// A turned duplicate of a face has the face's parts, and looks where it did before. It stays whole
+/// if there would be too many cells; copies by ghost arrays are none of these, and look like their
+/// originals all the same.
+void CheckDuplicates(Check& check)
+{
+  const double seam = 0.5625; // through the wall
+  const auto isBefore = [seam](const Point& p) { return p[0] < seam; };
+  const auto isAfter = [seam](const Point& p) { return p[0] > seam; };
+  const auto left = Part(Square(16), [](const Point& p) { return p[0] < 0.6875; });
+  const auto right = Part(Square(16), [](const Point& p) { return p[0] > 0.4375; });
+  const vtkIdType duplicate = left->GetNumberOfCells();
+  vtkNew<vtkIdList> ids;
+  left->GetCellPoints(0, ids);
+  left->GetPolys()->InsertNextCell({ ids->GetId(1), ids->GetId(0), ids->GetId(2) });
+  left->DeleteCells(); // which GetCellPoints() has made
+  const auto surface = Blocks({ WithGhosts(WithBarriers(left, IsInWall), isAfter),
+    WithGhosts(WithBarriers(right, IsInWall), isBefore) });
+  vtkIdType most = 0; // of the cells that are not copies; 0: no limit
+  vtkIdType parts = 0;
+  for (const char* what : { "no limit", "as many as wanted", "one too few" })
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetMaximumNumberOfCells(most - (what[0] == 'o' ? 1 : 0));
+    RunWithBarriers(check, filter, surface, PointSources({ { 0, 0, 0 } }), what);
+    check.That(
+      TrianglesIn(Block(filter, 1), 0.4375, seam) == TrianglesIn(Block(filter, 0), 0.4375, seam) &&
+        TrianglesIn(Block(filter, 0), seam, 0.6875) == TrianglesIn(Block(filter, 1), seam, 0.6875),
+      std::string(what) + ": copies look like their originals");
+    vtkPolyData* output = Block(filter, 0);
+    vtkDataArray* originals = output->GetCellData()->GetArray("OriginalCellIds");
+    std::map<vtkIdType, vtkIdType> count;
+    for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+    {
+      const auto original = static_cast<vtkIdType>(originals->GetTuple1(cell));
+      ++count[original];
+      const std::vector<Point> p = CornersOf(output, cell);
+      const double turn =
+        (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
+      check.That((turn > 0.0) == (original != duplicate), "the side of a cell");
+    }
+    const vtkIdType cells =
+      CountBarrierParts(output, isBefore) + CountBarrierParts(Block(filter, 1), isAfter);
+    if (most == 0)
+    {
+      most = cells;
+      parts = count[duplicate];
+      check.That(parts > 1, "the duplicate is refined");
+    }
+    const vtkIdType expected = what[0] == 'o' ? 1 : parts;
+    check.Equal(static_cast<double>(count[0]), static_cast<double>(parts), "the face's parts");
+    check.Equal(static_cast<double>(count[duplicate]), static_cast<double>(expected),
+      "the duplicate's parts");
+    check.Equal(static_cast<double>(cells), static_cast<double>(most - parts + expected),
+      std::string(what) + ": cells that are no copies");
+  }
+}
+
 /// The boundary is that of the whole; what barriers have of it is left out.
 void CheckBoundary(Check& check)
 {
@@ -357,13 +397,9 @@ void CheckBoundary(Check& check)
   {
     vtkNew<vtkGeodesicDistanceField> filter;
     filter->RefineMeshOff();
-    filter->SetInputData(WithBarriers(Square(8), isBarrier));
-    filter->SetSourceTypeToSurfaceBoundary();
-    filter->SetBarrierArrayName("barrier");
-    Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty() && messages.Warning().empty(),
-      what + ": " + messages.Error() + messages.Warning());
+    const std::string warning =
+      RunWithBarriers(check, filter, WithBarriers(Square(8), isBarrier), nullptr, what);
+    check.That(warning.empty(), what + ": " + warning);
     CheckTruth(check, filter->GetOutput(), truth, what);
     vtkDataArray* ids = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1))
                           ->GetCellData()
@@ -391,14 +427,9 @@ void CheckCurveIsJoinedAround(Check& check)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->RefineMeshOff();
-  filter->SetInputData(SquareWithWall(16));
-  filter->SetBarrierArrayName("barrier");
-  const Point left{ 0.4, 0.7, 0 };
-  const Point right{ 0.7, 0.7, 0 };
-  filter->SetSourceData(Polyline({ left, { WallBegin, 0.7, 0 }, right }));
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), "a curve through a wall: " + messages.Error());
+  RunWithBarriers(check, filter, SquareWithWall(16),
+    Polyline({ { 0.4, 0.7, 0 }, { WallBegin, 0.7, 0 }, { 0.7, 0.7, 0 } }),
+    "a curve through a wall");
   auto* curve = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
   double length = 0.0;
   for (vtkIdType i = 1; i < curve->GetNumberOfPoints(); ++i)
@@ -420,16 +451,13 @@ void CheckCap(Check& check)
   for (const vtkIdType most : { 530, 560, 600, 700 })
   {
     vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(SquareWithWall(16));
-    filter->SetBarrierArrayName("barrier");
-    filter->SetSourceData(PointSources({ { 0.4375, 0.3, 0 } }));
     filter->SetMaximumNumberOfCells(most);
     filter->SetRefinementTolerance(1e-5);
-    Messages messages(filter);
-    messages.Update();
+    const std::string warning = RunWithBarriers(
+      check, filter, SquareWithWall(16), PointSources({ { 0.4375, 0.3, 0 } }), "a cap");
     const vtkIdType cells = filter->GetOutput()->GetNumberOfCells();
     check.That(cells <= most && cells > 512, "cells under a cap: " + std::to_string(cells));
-    check.That(Contains(messages.Warning(), "is reached"), "the cap: " + messages.Warning());
+    check.That(Contains(warning, "is reached"), "the cap: " + warning);
     check.Equal(CountHangingPoints({ filter->GetOutput() }), 0.0, "hanging points under a cap");
   }
 }
@@ -469,23 +497,21 @@ void CheckType(Check& check)
     array->SetComponent(i, 0, values->GetComponent(i, 0));
   }
   surface->GetCellData()->AddArray(array);
-  const Point source{ 0.125, 0.1875, 0 };
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->RefineMeshOff();
   filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ source }));
+  filter->SetSourceData(PointSources({ Source }));
   filter->SetBarrierArrayName("other");
   filter->Update();
-  CheckTruth(check, filter->GetOutput(), AroundWall(source), array->GetClassName());
+  CheckTruth(check, filter->GetOutput(), AroundWall(Source), array->GetClassName());
   // Changed in place, told by the surface alone.
   array->Fill(0);
   surface->Modified();
   filter->Update();
-  CheckDistances(check, filter, DistanceTo({ source }),
+  CheckDistances(check, filter, DistanceTo({ Source }),
     std::string("changed in place: ") + array->GetClassName());
 }
 
-/// The structure is built anew when barriers change, not when other arrays do.
 /// Where there are other cells than faces, an array may have a value for each cell or for each
 /// face. Beside the square with the wall are strips, the lower four of which are barriers.
 void CheckValuesOfFaces(Check& check)
@@ -506,8 +532,7 @@ void CheckValuesOfFaces(Check& check)
     strips->InsertNextCell({ corner, beside - 1, corner + 17, beside });
     ofFaces->InsertTuple1(512 + j, j < 4 ? 1.0 : 0.0);
   }
-  const Point source{ 0.125, 0.1875, 0 };
-  const auto truth = [around = AroundWall(source)](const Point& p)
+  const auto truth = [around = AroundWall(Source)](const Point& p)
   { return p[0] > 1.0 && p[1] < 0.25 ? std::numeric_limits<double>::infinity() : around(p); };
   surface->SetVerts(vertices);
   surface->SetLines(lines);
@@ -531,7 +556,7 @@ void CheckValuesOfFaces(Check& check)
       vtkNew<vtkGeodesicDistanceField> filter;
       filter->SetRefineMesh(isRefined);
       filter->SetInputData(input);
-      filter->SetSourceData(PointSources({ source }));
+      filter->SetSourceData(PointSources({ Source }));
       filter->SetBarrierArrayName(name);
       Messages messages(filter);
       messages.Update();
@@ -558,6 +583,7 @@ void CheckValuesOfFaces(Check& check)
   }
 }
 
+/// The structure is built anew when barriers change, not when other arrays do.
 void CheckCache(Check& check)
 {
   auto surface = SquareWithWall(8, Cells::Quads);
@@ -605,10 +631,7 @@ void CheckTolerance(Check& check)
 {
   const auto surface = WithBarriers(Square(8), [](const Point& p) { return p[0] > 0.25; });
   vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ { 0.125, 0.125, 0 } }));
-  filter->SetBarrierArrayName("barrier");
-  filter->Update();
+  RunWithBarriers(check, filter, surface, PointSources({ { 0.125, 0.125, 0 } }), "a tolerance");
   const vtkIdType cells = filter->GetOutput()->GetNumberOfCells();
   filter->ToleranceIsAbsoluteOn();
   filter->SetAbsoluteRefinementTolerance(0.001 * surface->GetLength());
@@ -622,10 +645,10 @@ void CheckTolerance(Check& check)
 const std::map<std::string, void (*)(Check&)> Checks = {
   { "RandomMeshes", CheckRandomMeshes },
   { "Wall", CheckWall },
-  { "RefinedWall", CheckRefinedWall },
   { "Arrays", CheckArrays },
   { "Blocks", CheckBlocks },
   { "Ghosts", CheckGhosts },
+  { "Duplicates", CheckDuplicates },
   { "Boundary", CheckBoundary },
   { "CurveIsJoinedAround", CheckCurveIsJoinedAround },
   { "Cap", CheckCap },

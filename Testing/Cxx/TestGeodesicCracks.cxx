@@ -187,8 +187,10 @@ void CheckLeftAlone(Check& check)
     {
       vtkNew<vtkIdList> ids;
       part->GetPolys()->GetCellAtId(face, ids);
-      polys->InsertNextCell(
-        { first + ids->GetId(0), first + ids->GetId(1), first + ids->GetId(2) });
+      // Faces with different orientations: an inner edge is none of the boundary there, either.
+      const bool isTurned = face % 3 == 0;
+      polys->InsertNextCell({ first + ids->GetId(0), first + ids->GetId(isTurned ? 2 : 1),
+        first + ids->GetId(isTurned ? 1 : 2) });
     }
   }
   both->SetPoints(points);

@@ -7,6 +7,9 @@
 #include "vtkCubeSource.h"
 #include "vtkGeodesicDistanceFieldFromDrawnCurve.h"
 
+#include <algorithm>
+#include <limits>
+
 using namespace GeodesicTesting;
 
 namespace
@@ -146,6 +149,46 @@ void CheckLength(Check& check)
     "around an edge " + std::to_string(overEdge->GetSourceLength()));
 }
 
+/// Landmarks: the points are not joined, and have their numbers as ids.
+void CheckPointsOnly(Check& check)
+{
+  const std::vector<Point> points = { { 0.125, 0.25, 0 }, { 0.875, 0.5, 0 }, { 0.5, 1, 0 } };
+  vtkNew<DrawnField> field;
+  field->SetInputData(Square(4));
+  Draw(field, points);
+  field->CurveClosedOn();
+  field->GenerateSourceIdsOn();
+  field->Update();
+  field->PointsOnlyOn();
+  field->Update();
+  CheckDistances(
+    check, field,
+    [&points](const Point& p)
+    {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Point& point : points)
+      {
+        least = std::min(least, DistanceTo({ point })(p));
+      }
+      return least;
+    },
+    "points only");
+  check.Equal(field->GetSourceLength(), 0.0, "points have no length");
+  vtkPolyData* marks = field->GetOutput(1);
+  vtkDataArray* ids = marks->GetCellData()->GetArray("SourceId");
+  check.Equal(static_cast<double>(marks->GetNumberOfVerts()), 3.0, "three marks");
+  for (vtkIdType i = 0; ids && i < marks->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    marks->GetPoint(i, p.data());
+    check.That(
+      p == points[static_cast<std::size_t>(ids->GetTuple1(i))], "ids are numbers of points");
+  }
+  field->PointsOnlyOff();
+  field->Update();
+  check.That(field->GetSourceLength() > 2.0, "joined again");
+}
+
 void CheckWithoutPoints(Check& check)
 {
   vtkNew<DrawnField> field;
@@ -192,6 +235,7 @@ int TestGeodesicDrawnCurve(int, char*[])
   CheckFarCurve(check);
   CheckCurveBeside(check);
   CheckLength(check);
+  CheckPointsOnly(check);
   CheckWithoutPoints(check);
   CheckExchangedExecutive(check);
   return check.Result();

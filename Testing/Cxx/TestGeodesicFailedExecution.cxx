@@ -265,7 +265,9 @@ void CheckGetters(Check& check)
     check.That(filter->GetWindowsPropagatedPerEdge() == 0.0 &&
         filter->GetSourceSnapDistance() == 0.0 && filter->GetSourceLength() == 0.0 &&
         filter->GetRelativeErrorBound() == 0.0 &&
-        std::isinf(filter->GetInterpolationErrorBound()) && filter->GetSeamPointsJoined() == 0,
+        std::isinf(filter->GetInterpolationErrorBound()) && filter->GetSeamPointsJoined() == 0 &&
+        filter->GetLargestDistance() == 0.0 && filter->GetFarthestPoint()[0] == 0.0 &&
+        !filter->GetHasUnreachedPoints(),
       "results are as before the first execution " + after);
   };
   filter->SetInputData(Square(4));

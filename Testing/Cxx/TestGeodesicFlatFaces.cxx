@@ -2,6 +2,7 @@
 // Faces without area: distances are those of the surface without them, outputs keep the input's
 // cells, and refined seams of blocks beside them fit.
 // GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
+#include "BarrierTesting.h"
 #include "RandomBarriers.h"
 #include "Seeds.h"
 
@@ -93,11 +94,6 @@ void CheckUnrefinedCells(Check& check)
     "unrefined: the cells are the input's own");
 }
 
-/// A square with a point on its diagonal, which only the upper half has, and a flat cell between.
-/// In blocks the halves are apart, and the flat cell is the upper one's.
-const std::vector<Point> Corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
-  { 0.25, 0.25, 0 } };
-
 void CheckRefined(
   Check& check, const std::vector<vtkSmartPointer<vtkPolyData>>& blocks, const std::string& name)
 {
@@ -150,14 +146,39 @@ void CheckRefined(
   check.That(blocks.size() == 1 || onDiagonal[0] == onDiagonal[1], name + ": both sides fit");
 }
 
+/// A square with a point on its diagonal, or a second point at its corner, which only the upper
+/// half has, and a flat cell between. In blocks the halves are apart, and the flat cell is the
+/// upper one's.
 void CheckRefinedSurfaces(Check& check)
 {
-  CheckRefined(check, { Surface(Corners, { { 0, 1, 2 }, { 0, 2, 4 }, { 0, 4, 3 }, { 4, 2, 3 } }) },
-    "one block");
-  CheckRefined(check,
-    { Surface(Corners, { { 0, 1, 2 } }),
-      Surface(Corners, { { 0, 2, 4 }, { 0, 4, 3 }, { 4, 2, 3 } }) },
-    "two blocks");
+  using Triangles = std::vector<std::array<vtkIdType, 3>>;
+  const std::tuple<std::string, Point, Triangles> uppers[] = {
+    { "a cap", { 0.25, 0.25, 0 }, { { 0, 2, 4 }, { 0, 4, 3 }, { 4, 2, 3 } } },
+    { "a needle", { 1, 1 + 3e-16, 0 }, { { 0, 2, 4 }, { 0, 4, 3 } } },
+  };
+  for (const auto& [name, point, upper] : uppers)
+  {
+    const std::vector<Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, point };
+    const Triangles lower = { { 0, 1, 2 } };
+    Triangles both = lower;
+    both.insert(both.end(), upper.begin(), upper.end());
+    CheckRefined(check, { Surface(points, both) }, name + " in one block");
+    CheckRefined(
+      check, { Surface(points, lower), Surface(points, upper) }, name + " in one of two blocks");
+    for (const vtkIdType most : { 40, 50, 60, 70 })
+    {
+      vtkNew<vtkGeodesicDistanceField> filter;
+      filter->SetInputData(Surface(points, both));
+      filter->SetSourceData(PointSources({ { 0.7, 0.2, 0 } }));
+      filter->SetRefinementTolerance(1e-5);
+      filter->SetMaximumNumberOfCells(most);
+      Messages messages(filter);
+      messages.Update();
+      const vtkIdType cells = filter->GetOutput()->GetNumberOfCells();
+      check.That(cells <= most && cells > most / 2,
+        name + " counts as cells: " + std::to_string(cells) + " of " + std::to_string(most));
+    }
+  }
 }
 
 /// Compares the distances at a block's points with the truth, by brute force on the surface without
@@ -233,6 +254,38 @@ void CheckRandomSurfaces(Check& check)
   }
 }
 
+/// After refinement the parts of each cell cover it.
+void CheckRefinedRandomSurfaces(Check& check)
+{
+  const geodesictest::Seeds seeds = geodesictest::seedsOfTest(4);
+  for (const geodesictest::MeshKind& kind : geodesictest::meshKinds())
+  {
+    for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+    {
+      RandomCase one(kind, seed, true);
+      one.filter->SetRefinementTolerance(0.01);
+      if (!one.CanRun(check))
+      {
+        continue;
+      }
+      vtkDataObject* input = one.filter->GetInputDataObject(0, 0);
+      auto* blocks = vtkMultiBlockDataSet::SafeDownCast(input);
+      for (unsigned int i = 0; i < (blocks ? blocks->GetNumberOfBlocks() : 1); ++i)
+      {
+        auto* before = vtkPolyData::SafeDownCast(blocks ? blocks->GetBlock(i) : input);
+        vtkPolyData* after = blocks ? Block(one.filter, i) : one.filter->GetOutput();
+        bool hasArea = false;
+        for (vtkIdType cell = 0; cell < before->GetNumberOfCells(); ++cell)
+        {
+          hasArea = hasArea || AreaOf(before, cell) > 1e-9;
+        }
+        check.That(!hasArea || AreaError(before, after) < 1e-9,
+          one.name + ": parts of cells cover them in block " + std::to_string(i));
+      }
+    }
+  }
+}
+
 } // anonymous namespace
 
 int TestGeodesicFlatFaces(int, char*[])
@@ -242,5 +295,6 @@ int TestGeodesicFlatFaces(int, char*[])
   CheckUnrefinedCells(check);
   CheckRefinedSurfaces(check);
   CheckRandomSurfaces(check);
+  CheckRefinedRandomSurfaces(check);
   return check.Result();
 }

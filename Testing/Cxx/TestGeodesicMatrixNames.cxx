@@ -188,6 +188,37 @@ void CheckTargets(Check& check)
   CheckTargetNames(check, ofBlocks->GetOutput(), { "5", "6", "c" }, "blocks");
 }
 
+void CheckTargetPositions(Check& check)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  const std::vector<Point> places = { { 0.25, 0.5, 0 }, { 0.5, 0.125, 0 }, { 0.75, 1, 0.0625 } };
+  blocks->SetBlock(0, PointSources({ places[0], places[1] }));
+  blocks->SetBlock(1, vtkNew<vtkPolyData>());
+  blocks->SetBlock(2, PointSources({ places[2] }));
+  const auto one = PointSources({ { 0.5, 0.5, 0 } });
+  for (const auto& matrix : { MatrixOf(blocks), MatrixOf(one, blocks) })
+  {
+    matrix->SetSourceNameArrayName(nullptr);
+    matrix->GenerateTargetPositionsOn();
+    matrix->Update();
+    vtkTable* table = matrix->GetOutput();
+    auto* positions = vtkDataArray::SafeDownCast(table->GetColumnByName("TargetPosition"));
+    check.That(positions && positions == table->GetColumn(1), "TargetPosition comes second");
+    check.Equal(static_cast<double>(table->GetNumberOfRows()), 3.0, "three targets");
+    for (vtkIdType i = 0; positions && i < 3; ++i)
+    {
+      Point p;
+      positions->GetTuple(i, p.data());
+      check.That(p == places[static_cast<std::size_t>(i)], "a target is where it was");
+    }
+  }
+  const auto without = MatrixOf(PointSources(places));
+  without->SetSourceNameArrayName(nullptr);
+  CheckColumns(check, without, { "Source0", "Source1", "Source2" }, "off by default");
+  CheckColumns(check, MatrixOf(Landmarks(1, Strings({ "TargetPosition" }))), { "TargetPosition_0" },
+    "a landmark with the name of the column");
+}
+
 void CheckError(Check& check, vtkGeodesicDistanceMatrix* matrix, const Words& words)
 {
   Messages messages(matrix);
@@ -272,6 +303,7 @@ int TestGeodesicMatrixNames(int, char*[])
   CheckPoints(check);
   CheckCells(check);
   CheckTargets(check);
+  CheckTargetPositions(check);
   CheckErrors(check);
   CheckFewTargets(check);
   return check.Result();

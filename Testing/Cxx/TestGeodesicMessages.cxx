@@ -137,7 +137,7 @@ void CheckOtherKindsOfData(Check& check)
   vtkNew<vtkUnstructuredGrid> grid; // which can be the surface, and its points targets
   grid->SetPoints(Square(2)->GetPoints());
   const vtkIdType triangle[] = { 0, 1, 4 };
-  grid->InsertNextCell(VTK_TRIANGLE, 3, triangle);
+  grid->InsertNextCell(VTK_QUADRATIC_EDGE, 3, triangle);
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, Square(2));
   blocks->SetBlock(1, image);

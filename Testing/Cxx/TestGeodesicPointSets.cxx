@@ -201,7 +201,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MixedGrid()
 {
   return Grid({ { 0.1, 0.1, 0 }, { 0.1, 0.9, 0 }, { 0.5, 0.5, 0 }, { 0.9, 0.1, 0 }, { 0.9, 0.5, 0 },
                 { 0.9, 0.9, 0 }, { 0.7, 0.5, 0 } },
-    { { VTK_TRIANGLE, { 0, 2, 6 } }, { VTK_POLY_LINE, { 3, 4, 5 } }, { VTK_VERTEX, { 2 } },
+    { { VTK_TETRA, { 0, 2, 6, 1 } }, { VTK_POLY_LINE, { 3, 4, 5 } }, { VTK_VERTEX, { 2 } },
       { VTK_EMPTY_CELL, {} }, { VTK_LINE, { 0, 1 } }, { VTK_POLY_VERTEX, { 6 } } });
 }
 
@@ -215,7 +215,7 @@ void CheckLinesOfGrids(Check& check)
   Messages messages(field);
   messages.Update();
   check.That(Contains(messages.Warning(), "1 cell of the source left out"),
-    "a triangle in a grid is told: " + messages.Warning());
+    "a solid in a grid is told: " + messages.Warning());
   const std::vector<std::pair<vtkIdType, Distance>> parts = {
     { 1, DistanceTo({ { 0.9, 0.1, 0 }, { 0.9, 0.9, 0 } }) }, { 2, DistanceTo({ { 0.5, 0.5, 0 } }) },
     { 4, DistanceTo({ { 0.1, 0.1, 0 }, { 0.1, 0.9, 0 } }) }, { 5, DistanceTo({ { 0.7, 0.5, 0 } }) }
@@ -321,14 +321,14 @@ void CheckWhatCannotBeUsed(Check& check)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(3, 3, 3);
-  const auto triangle =
-    Grid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 } }, { { VTK_TRIANGLE, { 0, 1, 2 } } });
+  const auto solid =
+    Grid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 1, 1, 1 } }, { { VTK_TETRA, { 0, 1, 2, 3 } } });
   vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, triangle);
+  blocks->SetBlock(0, solid);
   blocks->SetBlock(1, image);
-  vtkNew<vtkMultiBlockDataSet> faces;
-  faces->SetBlock(0, triangle);
-  faces->SetBlock(1, vtkNew<vtkUnstructuredGrid>());
+  vtkNew<vtkMultiBlockDataSet> solids;
+  solids->SetBlock(0, solid);
+  solids->SetBlock(1, vtkNew<vtkUnstructuredGrid>());
   struct Bad
   {
     vtkSmartPointer<vtkDataObject> Data;
@@ -358,10 +358,10 @@ void CheckWhatCannotBeUsed(Check& check)
     expect(port, { vtkNew<vtkTable>().Get(), { name, "vtkTable", "Table To Points" } });
     expect(port, { vtkNew<vtkUnstructuredGrid>().Get(), { name, "empty" } });
   }
-  const std::vector<std::string> words = { "input port 1", "no line or vertex", "1 cells",
-    "Extract Surface", "Extract Selection" };
-  expect(1, { triangle, words });
-  expect(1, { faces.Get(), words });
+  const std::vector<std::string> words = { "input port 1", "no vertex, line or flat face",
+    "1 cells", "Extract Surface", "Extract Selection" };
+  expect(1, { solid, words });
+  expect(1, { solids.Get(), words });
 }
 
 }

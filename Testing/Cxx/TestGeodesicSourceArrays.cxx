@@ -4,6 +4,8 @@
 // where all of them are those of the straight line to the nearest segment.
 #include "GeodesicTesting.h"
 
+#include "truth/PlaneEnds.h"
+
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
@@ -18,16 +20,6 @@ namespace
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr double Pi = 3.14159265358979323846;
 
-/// What is nearest to a point in the plane z = 0.
-struct Nearest
-{
-  double Distance = Infinite;
-  vtkIdType Source = -1;
-  Point Foot = {};
-  /// Positive on the left; near 0 where the sides part.
-  double Side = 0.0;
-};
-
 using Line = std::vector<Point>;
 
 Point Minus(const Point& a, const Point& b)
@@ -40,60 +32,10 @@ double Length(const Point& a)
   return std::hypot(a[0], a[1], a[2]);
 }
 
-double Cross(const Point& a, const Point& b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
-
 Point Unit(const Point& a)
 {
   const double length = Length(a);
   return { a[0] / length, a[1] / length, a[2] / length };
-}
-
-Point Along(const Line& line, std::size_t segment)
-{
-  return Unit(Minus(line[segment + 1], line[segment]));
-}
-
-/// The side of a bend is that of the sum of its two directions.
-double SideAtPoint(const Line& line, std::size_t i, const Point& p)
-{
-  const bool closed = line.front() == line.back();
-  const std::size_t last = line.size() - 1;
-  double side = 0.0;
-  if (i < last || closed)
-  {
-    side += Cross(Along(line, i < last ? i : 0), Minus(p, line[i]));
-  }
-  if (i > 0 || closed)
-  {
-    side += Cross(Along(line, i > 0 ? i - 1 : last - 1), Minus(p, line[i]));
-  }
-  return side;
-}
-
-void Consider(const Line& line, vtkIdType source, const Point& p, Nearest& nearest)
-{
-  for (std::size_t i = 0; i + 1 < std::max<std::size_t>(line.size(), 2); ++i)
-  {
-    const Point& a = line[i];
-    const Point& b = line[std::min(i + 1, line.size() - 1)];
-    const Point ab = Minus(b, a);
-    const double squared = ab[0] * ab[0] + ab[1] * ab[1];
-    const Point ap = Minus(p, a);
-    const double t =
-      squared > 0.0 ? std::clamp((ap[0] * ab[0] + ap[1] * ab[1]) / squared, 0.0, 1.0) : 0.0;
-    const Point foot = { a[0] + t * ab[0], a[1] + t * ab[1], 0.0 };
-    const double distance = Length(Minus(p, foot));
-    if (distance < nearest.Distance)
-    {
-      const double side = line.size() == 1 ? 1.0
-        : t > 0.0 && t < 1.0               ? Cross(Unit(ab), ap)
-                                           : SideAtPoint(line, t > 0.0 ? i + 1 : i, p);
-      nearest = { distance, source, foot, side };
-    }
-  }
 }
 
 vtkSmartPointer<vtkPolyData> SourceOf(const std::vector<Line>& lines)
@@ -133,6 +75,7 @@ void SwitchAllOn(vtkGeodesicDistanceField* filter)
 struct Coordinates
 {
   Point Place;
+  vtkIdType Source;
   Point Foot;
   double Distance;
   double SignedDistance;
@@ -142,81 +85,34 @@ struct Coordinates
   double V;
 };
 
-/// In the plane z = 0, counterclockwise from one direction to another, in [0, 2 pi).
-double Turn(const Point& from, const Point& to)
+/// The frames of lines in the plane z = 0.
+std::vector<geodesictest::PlainFrame> FramesOf(const std::vector<Line>& lines, vtkDataArray* frames)
 {
-  const double angle = std::atan2(Cross(from, to), from[0] * to[0] + from[1] * to[1]);
-  return angle < 0.0 ? angle + 2.0 * Pi : angle;
-}
-
-/// The direction at a point of a line: from 0 ahead to pi back on the left, to -pi on the right; at
-/// an end, which has no other side, simply from the tangent.
-double AngleAt(const Line& line, std::size_t i, const Point& direction)
-{
-  const bool closed = line.front() == line.back();
-  const std::size_t last = line.size() - 1;
-  const bool isOpenEnd = !closed && (i == 0 || i == last);
-  const Point ahead = Along(line, i < last ? i : (closed ? 0 : last - 1));
-  const double turn = Turn(ahead, direction);
-  if (isOpenEnd)
+  std::vector<geodesictest::PlainFrame> result(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i)
   {
-    return turn > Pi ? turn - 2.0 * Pi : turn;
+    const double* axes = frames->GetTuple(static_cast<vtkIdType>(i));
+    result[i] = { { axes[0], axes[1], axes[2] }, { axes[3], axes[4], axes[5] },
+      { axes[6], axes[7], axes[8] } };
   }
-  const Point behind = Along(line, i > 0 ? i - 1 : last - 1);
-  const double left = Turn(ahead, { -behind[0], -behind[1], 0.0 });
-  return turn < left ? Pi * turn / left : -Pi * (2.0 * Pi - turn) / (2.0 * Pi - left);
+  return result;
 }
 
-/// Directions of nearby points have fewer digits.
-bool IsSameAngle(const Coordinates& at, double expected)
-{
-  return std::abs(std::remainder(at.Angle - expected, 2.0 * Pi)) <= 1e-11 / at.Distance;
-}
-
-/// Whether an arc length and, where it can be told, an angle belong to a foot on one of a line's
-/// segments, at which it may begin anew.
-bool FitsLine(const Line& line, const Coordinates& at, bool isAngleKnown)
+/// Whether a path may end like this. Directions of nearby points have fewer digits.
+bool Fits(const geodesictest::TrueEnd& end, const Coordinates& at)
 {
   constexpr double tolerance = 1e-12;
-  double before = 0.0;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i)
-  {
-    const double length = Length(Minus(line[i + 1], line[i]));
-    const double along = at.ArcLength - before;
-    before += length;
-    const double t = along / length;
-    const Point onSegment = { line[i][0] + t * (line[i + 1][0] - line[i][0]),
-      line[i][1] + t * (line[i + 1][1] - line[i][1]), 0.0 };
-    if (along < -tolerance || along > length + tolerance ||
-      Length(Minus(onSegment, at.Foot)) > tolerance)
-    {
-      continue;
-    }
-    if (!isAngleKnown)
-    {
-      return true;
-    }
-    // The rays at right angles to a segment's end belong to the segment and to its end.
-    const Point away = Minus(at.Place, at.Foot);
-    const Point ahead = Along(line, i);
-    const bool isInside = along > 1e-9 && along < length - 1e-9;
-    const bool isAcross = std::abs(ahead[0] * away[0] + ahead[1] * away[1]) <= 1e-9 * at.Distance;
-    const double atPoint = AngleAt(line, along > 1e-9 ? i + 1 : i, away);
-    if ((isAcross && IsSameAngle(at, std::copysign(Pi / 2.0, Cross(ahead, away)))) ||
-      (!isInside && IsSameAngle(at, atPoint)))
-    {
-      return true;
-    }
-  }
-  return false;
+  return static_cast<vtkIdType>(end.source) == at.Source &&
+    std::abs(end.arcLength - at.ArcLength) <= tolerance &&
+    Length(Minus(end.place, at.Foot)) <= tolerance &&
+    (at.Distance <= 1e-9 || geodesictest::gapOfAngles(end.angle, at.Angle) <= 1e-11 / at.Distance);
 }
 
-/// \param others the lines but the one that is named.
-void CheckCoordinates(Check& check, const std::string& name, const Line& line,
-  const std::vector<Line>& others, const Coordinates& at, const double* frame)
+void CheckCoordinates(
+  Check& check, const std::string& name, bool isPoint, const Coordinates& at, const double* frame)
 {
   constexpr double tolerance = 1e-12;
-  if (line.size() == 1)
+  if (isPoint)
   {
     check.Equal(at.ArcLength, 0.0, name + ": the arc length at a point");
     const double u = at.Distance * std::cos(at.Angle);
@@ -231,26 +127,10 @@ void CheckCoordinates(Check& check, const std::string& name, const Line& line,
   }
   check.That(at.U == at.ArcLength && at.V == at.SignedDistance, name + ": texture coordinates");
   check.That(std::abs(at.Angle) <= Pi, name + ": angles are between -pi and pi");
-  // Straight behind an end and ahead of it the sides part.
-  check.That(!(at.Distance > 1e-9) || std::abs(std::sin(at.Angle)) < 1e-9 ||
-      (at.Angle > 0.0) == (at.SignedDistance > 0.0),
-    name + ": the angle's sign is that of the side");
-  // Where several lines meet, angles are those of one of them.
-  const auto isFootOf = [&at](const Line& other)
-  {
-    Nearest nearest;
-    Consider(other, 0, at.Foot, nearest);
-    return nearest.Distance <= 1e-9;
-  };
-  const bool isAngleKnown =
-    at.Distance > 1e-9 && std::none_of(others.begin(), others.end(), isFootOf);
-  check.That(FitsLine(line, at, isAngleKnown),
-    name + ": SourceArcLength " + std::to_string(at.ArcLength) + ", SourceAngle " +
-      std::to_string(at.Angle));
 }
 
 /// Compares all arrays with the plane's. \returns how many points have no sign but by rounding.
-int CheckArrays(Check& check, const std::string& name, vtkGeodesicDistanceField* filter,
+int CheckArrays(Check& check, const std::string& of, vtkGeodesicDistanceField* filter,
   const std::vector<Line>& lines)
 {
   vtkDataArray* distances = Distances(filter);
@@ -263,61 +143,64 @@ int CheckArrays(Check& check, const std::string& name, vtkGeodesicDistanceField*
   vtkDataArray* texture = filter->GetOutput()->GetPointData()->GetTCoords();
   vtkDataArray* frames = filter->GetOutput()->GetFieldData()->GetArray("SourceFrame");
   const bool areThere = ids && feet && gradients && sides && lengths && angles && texture && frames;
-  check.That(areThere, name + ": all arrays are there");
+  check.That(areThere, of + ": all arrays are there");
   if (!areThere)
   {
     return 0;
   }
   check.That(
     texture == Array(filter, "SourceTextureCoordinates") && texture->GetNumberOfComponents() == 2,
-    name + ": the texture coordinates are active");
+    of + ": the texture coordinates are active");
   check.That(frames->GetNumberOfComponents() == 9 &&
       frames->GetNumberOfTuples() == static_cast<vtkIdType>(lines.size()),
-    name + ": a frame for each source");
-  check.That(vtkIdTypeArray::SafeDownCast(ids) != nullptr, name + ": SourceId is of vtkIdType");
+    of + ": a frame for each source");
+  check.That(vtkIdTypeArray::SafeDownCast(ids) != nullptr, of + ": SourceId is of vtkIdType");
   constexpr double tolerance = 1e-12;
   int withoutSign = 0;
+  const geodesictest::PlaneEnds plane(lines);
+  const std::vector<geodesictest::PlainFrame> framesOfLines = FramesOf(lines, frames);
   for (vtkIdType i = 0; i < distances->GetNumberOfTuples(); ++i)
   {
-    Point p;
-    filter->GetOutput()->GetPoint(i, p.data());
-    Nearest nearest;
-    for (std::size_t l = 0; l < lines.size(); ++l)
-    {
-      Consider(lines[l], static_cast<vtkIdType>(l), p, nearest);
-    }
-    const std::string at = name + ", point " + std::to_string(i);
-    const double d = distances->GetTuple1(i);
-    Point foot;
-    feet->GetTuple(i, foot.data());
+    const std::string name = of + ", point " + std::to_string(i);
+    Coordinates at = { {}, static_cast<vtkIdType>(ids->GetTuple1(i)), {}, distances->GetTuple1(i),
+      sides->GetTuple1(i), lengths->GetTuple1(i), angles->GetTuple1(i), texture->GetComponent(i, 0),
+      texture->GetComponent(i, 1) };
+    filter->GetOutput()->GetPoint(i, at.Place.data());
+    feet->GetTuple(i, at.Foot.data());
+    const auto source = static_cast<std::size_t>(at.Source);
+    const bool isPoint = lines[source].size() == 1;
+    const double d = at.Distance;
+    const std::vector<geodesictest::TrueEnd> ends = plane.of(at.Place, framesOfLines);
+    check.That(std::abs(d - ends.front().length) <= tolerance, name + ": the distance");
+    // Ties may give any of the ends. Where several lines meet, angles are those of one of them.
+    std::vector<geodesictest::TrueEnd> here = ends;
+    here.erase(std::remove_if(here.begin(), here.end(),
+                 [&](const auto& end) { return Length(Minus(end.place, at.Foot)) > 1e-9; }),
+      here.end());
+    const bool isOfOne =
+      std::all_of(here.begin(), here.end(), [&](const auto& end) { return end.source == source; });
+    const bool fits = std::any_of(here.begin(), here.end(),
+      [&](geodesictest::TrueEnd end)
+      {
+        end.angle = isOfOne ? end.angle : at.Angle;
+        return Fits(end, at);
+      });
+    check.That(fits,
+      name + ": SourceId " + std::to_string(at.Source) + ", SourceArcLength " +
+        std::to_string(at.ArcLength) + ", SourceAngle " + std::to_string(at.Angle));
     Point gradient;
     gradients->GetTuple(i, gradient.data());
-    // Ties may give any of the nearest.
-    Nearest named;
-    Consider(lines[static_cast<std::size_t>(ids->GetTuple1(i))], 0, p, named);
-    check.That(std::abs(named.Distance - nearest.Distance) <= tolerance, at + ": SourceId");
-    check.That(std::abs(Length(Minus(p, foot)) - nearest.Distance) <= tolerance,
-      at + ": distance from ClosestSourcePoint");
-    Nearest onLine;
-    Consider(lines[static_cast<std::size_t>(ids->GetTuple1(i))], 0, foot, onLine);
-    check.That(onLine.Distance <= tolerance, at + ": ClosestSourcePoint lies on the source");
-    const Point expected = d > 1e-9 ? Unit(Minus(p, foot)) : gradient;
-    check.That(Length(Minus(gradient, expected)) <= 1e-9, at + ": DistanceGradient");
-    check.That(d > 0.0 || Length(gradient) == 0.0, at + ": no gradient on the source");
-    const double side = sides->GetTuple1(i);
-    check.That(std::abs(side) == d && !(d == 0.0 && std::signbit(side)), at + ": |signed|");
-    // The side of the line that the filter has chosen.
-    const bool isTie = Length(Minus(foot, named.Foot)) > 1e-9;
-    const bool hasSign = !isTie && d > 0.0 && std::abs(named.Side) > 1e-9;
+    const Point expected = d > 1e-9 ? Unit(Minus(at.Place, at.Foot)) : gradient;
+    check.That(Length(Minus(gradient, expected)) <= 1e-9, name + ": DistanceGradient");
+    check.That(d > 0.0 || Length(gradient) == 0.0, name + ": no gradient on the source");
+    const double side = at.SignedDistance;
+    check.That(std::abs(side) == d && !(d == 0.0 && std::signbit(side)), name + ": |signed|");
+    // Straight behind an end and ahead of it the sides part.
+    const bool hasSign = isPoint || (d > 1e-9 && std::abs(std::sin(at.Angle)) > 1e-9);
     withoutSign += hasSign ? 0 : 1;
-    check.That(!hasSign || (side > 0.0) == (named.Side > 0.0), at + ": sign");
-    const auto source = static_cast<std::size_t>(ids->GetTuple1(i));
-    std::vector<Line> others = lines;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(source));
-    CheckCoordinates(check, at, lines[source], others,
-      { p, foot, d, side, lengths->GetTuple1(i), angles->GetTuple1(i), texture->GetComponent(i, 0),
-        texture->GetComponent(i, 1) },
-      frames->GetTuple(static_cast<vtkIdType>(source)));
+    check.That(
+      !hasSign || d == 0.0 || (side > 0.0) == (isPoint || at.Angle > 0.0), name + ": sign");
+    CheckCoordinates(check, name, isPoint, at, frames->GetTuple(at.Source));
   }
   return withoutSign;
 }
@@ -495,6 +378,8 @@ void CheckApproximate(Check& check)
   Messages messages(filter);
   messages.Update();
   check.That(messages.Error().empty(), messages.Error());
+  const std::vector<geodesictest::PlainFrame> frames =
+    FramesOf(lines, filter->GetOutput()->GetFieldData()->GetArray("SourceFrame"));
   for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
   {
     const double d = Distances(filter)->GetTuple1(i);
@@ -506,26 +391,30 @@ void CheckApproximate(Check& check)
     Point foot;
     filter->GetOutput()->GetPoint(i, p.data());
     Array(filter, "ClosestSourcePoint")->GetTuple(i, foot.data());
-    const double fromFoot = Length(Minus(p, foot));
+    const Point away = Minus(p, foot);
     const auto isWithin = [d](double distance)
     { return distance >= d - 1e-12 && distance <= d / 0.95 + 1e-12; };
-    check.That(isWithin(fromFoot), "point " + std::to_string(i) + ": from the foot");
-    Nearest named;
-    Consider(lines[static_cast<std::size_t>(Array(filter, "SourceId")->GetTuple1(i))], 0, p, named);
-    check.That(isWithin(named.Distance), "point " + std::to_string(i) + ": from the named source");
-    const Line& line = lines[static_cast<std::size_t>(Array(filter, "SourceId")->GetTuple1(i))];
+    check.That(isWithin(Length(away)), "point " + std::to_string(i) + ": from the foot");
+    const auto source = static_cast<vtkIdType>(Array(filter, "SourceId")->GetTuple1(i));
+    const Line& line = lines[static_cast<std::size_t>(source)];
     vtkDataArray* texture = Array(filter, "SourceTextureCoordinates");
-    const Coordinates at = { p, foot, d, Array(filter, "SignedGeodesicDistance")->GetTuple1(i),
+    const Coordinates at = { p, source, foot, d,
+      Array(filter, "SignedGeodesicDistance")->GetTuple1(i),
       Array(filter, "SourceArcLength")->GetTuple1(i), Array(filter, "SourceAngle")->GetTuple1(i),
       texture->GetComponent(i, 0), texture->GetComponent(i, 1) };
     if (line.size() == 1)
     {
       check.That(std::abs(std::hypot(at.U, at.V) - d) <= 1e-12, "around the point");
+      continue;
     }
-    else
-    {
-      check.That(FitsLine(line, at, d > 1e-9), "along the line");
-    }
+    // The end of the straight path to a place on the way from the foot.
+    const double part = d > 1e-9 ? 0.01 / Length(away) : 0.0;
+    const Point beside = { foot[0] + part * away[0], foot[1] + part * away[1], 0.0 };
+    const std::vector<geodesictest::TrueEnd> ends =
+      geodesictest::PlaneEnds(lines).of(beside, frames);
+    check.That(std::any_of(ends.begin(), ends.end(),
+                 [&](const geodesictest::TrueEnd& end) { return Fits(end, at); }),
+      "along the line");
   }
 }
 

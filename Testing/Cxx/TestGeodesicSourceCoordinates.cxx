@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Coordinates along and across a source: on tubes and cones, which unroll into the plane, around
-// the pole of a sphere, in blocks and at other scales; against the source as it lies on the
-// surface, and against the ends of shortest paths.
+// Coordinates along and across a source: in blocks and at other scales; against the source as it
+// lies on the surface, and against the ends of shortest paths.
 #include "GeodesicTesting.h"
 
 #include "vtkCellData.h"
@@ -16,47 +15,6 @@ namespace
 {
 
 constexpr double Pi = 3.14159265358979323846;
-
-/// Rows of points around the z axis, joined by triangles whose normals point outward.
-vtkSmartPointer<vtkPolyData> Tube(
-  int sides, int rows, const std::function<Point(double angle, int row)>& place)
-{
-  auto tube = PointSources({});
-  vtkNew<vtkCellArray> polys;
-  for (int row = 0; row <= rows; ++row)
-  {
-    for (int k = 0; k < sides; ++k)
-    {
-      tube->GetPoints()->InsertNextPoint(place(2.0 * Pi * k / sides, row).data());
-      if (row < rows)
-      {
-        const vtkIdType below = row * sides;
-        const vtkIdType next = (k + 1) % sides;
-        InsertSquare(polys, Cells::Triangles,
-          { below + k, below + next, below + sides + next, below + sides + k });
-      }
-    }
-  }
-  tube->SetPolys(polys);
-  return tube;
-}
-
-/// The facet of a regular polygon around the z axis that a point is on, and how far along it.
-struct OnFacet
-{
-  int Facet;
-  /// From the facet's middle, in units of the apothem.
-  double Aside;
-};
-
-OnFacet FacetOf(const Point& p, int sides)
-{
-  const double width = 2.0 * Pi / sides;
-  double angle = std::atan2(p[1], p[0]);
-  angle += angle < 0.0 ? 2.0 * Pi : 0.0;
-  const int facet = std::min(static_cast<int>(angle / width), sides - 1);
-  return { facet, std::tan(angle - (facet + 0.5) * width) };
-}
 
 /// Whether two angles are the same, up to turns.
 bool IsSameAngle(double a, double b, double tolerance)
@@ -86,191 +44,6 @@ void AskForCoordinates(vtkGeodesicDistanceField* filter)
   filter->GenerateSourceAngleOn();
   filter->GenerateTextureCoordinatesOn();
   filter->SetTextureScale(1.0);
-}
-
-/// Runs a filter and calls visit(const Point&, distance, arc length, angle, u, v) for each point.
-template <typename Visit>
-void ForEachPoint(
-  Check& check, vtkGeodesicDistanceField* filter, const std::string& what, const Visit& visit)
-{
-  AskForCoordinates(filter);
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), what + ": " + messages.Error());
-  vtkPolyData* output = filter->GetOutput();
-  const AskedArrays arrays(output);
-  if (!arrays.ArcLengths || !arrays.Angles || !arrays.Texture)
-  {
-    check.That(false, what + ": all arrays are there");
-    return;
-  }
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    Point p;
-    output->GetPoint(i, p.data());
-    visit(p, arrays.Distances->GetTuple1(i), arrays.ArcLengths->GetTuple1(i),
-      arrays.Angles->GetTuple1(i), arrays.Texture->GetComponent(i, 0),
-      arrays.Texture->GetComponent(i, 1));
-  }
-}
-
-constexpr int Sides = 20;
-constexpr double Height = 1.5;
-
-vtkSmartPointer<vtkPolyData> Cylinder()
-{
-  return Tube(Sides, 6,
-    [](double angle, int row) {
-      return Point{ std::cos(angle), std::sin(angle), row * Height / 6.0 };
-    });
-}
-
-/// How far around the cylinder a point is, in the direction of growing angles from (1, 0).
-double AroundCylinder(const Point& p)
-{
-  const OnFacet at = FacetOf(p, Sides);
-  return 2.0 * std::sin(Pi / Sides) * (at.Facet + 0.5) + std::cos(Pi / Sides) * at.Aside;
-}
-
-/// Up a line on the cylinder: seen from outside, angles grow to the right.
-void CheckLineUpACylinder(Check& check, bool refine)
-{
-  const double around = 2.0 * std::sin(Pi / Sides) * Sides;
-  const double begin = 0.3;
-  const double end = 1.2;
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Cylinder());
-  filter->SetSourceData(Polyline({ { 1, 0, begin }, { 1, 0, 0.7 }, { 1, 0, end } }));
-  filter->SetRefineMesh(refine);
-  int points = 0;
-  ForEachPoint(check, filter, "up a cylinder",
-    [&](const Point& p, double distance, double length, double angle, double u, double v)
-    {
-      const double left = -std::remainder(AroundCylinder(p), around);
-      const double foot = std::clamp(p[2], begin, end);
-      const std::string at =
-        "up a cylinder, at " + std::to_string(left) + ", " + std::to_string(p[2]) + ": ";
-      check.That(std::abs(distance - std::hypot(left, p[2] - foot)) <= 1e-12, at + "distance");
-      check.That(std::abs(length - (foot - begin)) <= 1e-12, at + "SourceArcLength");
-      // Behind the line both sides are as near.
-      if (std::abs(std::abs(left) - 0.5 * around) > 1e-9 && std::abs(left) > 1e-9)
-      {
-        const double expected =
-          foot == p[2] ? std::copysign(Pi / 2.0, left) : std::atan2(left, p[2] - foot);
-        check.That(std::abs(angle - expected) <= 1e-11, at + "SourceAngle");
-        check.That(u == length && v == std::copysign(distance, left), at + "texture coordinates");
-        ++points;
-      }
-    });
-  check.That(points > 50, "up a cylinder: points were looked at");
-}
-
-/// Around the cylinder: left of the way to growing angles is up.
-void CheckRingAroundACylinder(Check& check, bool refine)
-{
-  std::vector<Point> ring;
-  for (int k = 0; k < Sides; ++k)
-  {
-    const double angle = 2.0 * Pi * k / Sides;
-    ring.push_back({ std::cos(angle), std::sin(angle), 0.55 });
-  }
-  const double around = 2.0 * std::sin(Pi / Sides) * Sides;
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Cylinder());
-  filter->SetSourceData(Polyline(ring, true));
-  filter->SetRefineMesh(refine);
-  ForEachPoint(check, filter, "around a cylinder",
-    [&](const Point& p, double distance, double length, double angle, double u, double v)
-    {
-      const double up = p[2] - 0.55;
-      const std::string at =
-        "around a cylinder, at " + std::to_string(length) + ", " + std::to_string(up) + ": ";
-      check.That(std::abs(distance - std::abs(up)) <= 1e-12, at + "distance");
-      const double apart = std::abs(length - AroundCylinder(p));
-      check.That(
-        std::min(apart, around - apart) <= 1e-12 && length >= 0.0 && length < around + 1e-12,
-        at + "SourceArcLength");
-      check.That(u == length, at + "u");
-      if (std::abs(up) > 1e-9)
-      {
-        check.That(std::abs(angle - std::copysign(Pi / 2.0, up)) <= 1e-11, at + "SourceAngle");
-        check.That(std::abs(v - up) <= 1e-12, at + "v");
-      }
-    });
-}
-
-/// The angles around the apex of a cone, whose sum is less, are scaled to a full turn.
-void CheckApexOfACone(Check& check, bool refine)
-{
-  constexpr int rows = 4;
-  constexpr double slope = 1.7;
-  auto cone = Tube(Sides, rows,
-    [](double angle, int row)
-    {
-      const double radius = 1.0 - static_cast<double>(row) / rows;
-      return Point{ radius * std::cos(angle), radius * std::sin(angle), slope * (1.0 - radius) };
-    });
-  const double facet = 2.0 * std::asin(std::sin(Pi / Sides) / std::hypot(1.0, slope));
-  const auto turnAt = [&](const Point& p)
-  {
-    const OnFacet at = FacetOf(p, Sides);
-    const double apothem = std::hypot(p[0], p[1]) / std::hypot(1.0, at.Aside);
-    const double down = std::hypot(apothem, slope * apothem / std::cos(Pi / Sides));
-    return facet * (at.Facet + 0.5) + std::atan(apothem * at.Aside / down);
-  };
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(cone);
-  filter->SetSourceData(PointSources({ { 0, 0, slope } }));
-  filter->SetRefineMesh(refine);
-  filter->GenerateSourceAngleOn();
-  filter->Update();
-  vtkDataArray* frames = filter->GetOutput()->GetFieldData()->GetArray("SourceFrame");
-  check.That(frames && frames->GetNumberOfTuples() == 1, "cone: a frame");
-  if (!frames)
-  {
-    return;
-  }
-  // The first axis runs along an edge.
-  const double* frame = frames->GetTuple(0);
-  const double first = turnAt({ frame[0], frame[1], 0.0 });
-  check.That(std::abs(std::remainder(first, facet)) <= 1e-12, "cone: the frame is along an edge");
-  ForEachPoint(check, filter, "cone",
-    [&](const Point& p, double distance, double length, double angle, double u, double v)
-    {
-      const double radius = std::hypot(p[0], p[1]);
-      if (radius > 1e-9)
-      {
-        const double expected = (turnAt(p) - first) * 2.0 * Pi / (facet * Sides);
-        check.That(IsSameAngle(angle, expected, 1e-10),
-          "cone: SourceAngle " + std::to_string(angle) + " for " + std::to_string(expected));
-      }
-      check.Equal(length, 0.0, "cone: SourceArcLength");
-      check.That(std::abs(u - distance * std::cos(angle)) <= 1e-12 &&
-          std::abs(v - distance * std::sin(angle)) <= 1e-12,
-        "cone: texture coordinates");
-    });
-}
-
-/// Meridians have the same angle all along, up to half a facet.
-void CheckPoleOfASphere(Check& check)
-{
-  constexpr int meridians = 72;
-  auto sphere = ChangedSphere(meridians, 41, [](const Point& p) { return p; });
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(sphere);
-  filter->SetSourceData(PointSources({ { 0, 0, 0.5 } }));
-  filter->GenerateSourceAngleOn();
-  filter->Update();
-  const double* frame = filter->GetOutput()->GetFieldData()->GetArray("SourceFrame")->GetTuple(0);
-  const double first = std::atan2(frame[1], frame[0]);
-  ForEachPoint(check, filter, "pole",
-    [&](const Point& p, double, double, double angle, double, double)
-    {
-      const bool isPole = std::hypot(p[0], p[1]) < 1e-6;
-      check.That(
-        isPole || IsSameAngle(angle, std::atan2(p[1], p[0]) - first, 1.001 * Pi / meridians),
-        "pole: SourceAngle " + std::to_string(angle));
-    });
 }
 
 /// Two blocks side by side and a line across their seam, which is arc length along x.
@@ -562,10 +335,40 @@ void CheckTextureScale(Check& check)
   }
 }
 
+/// One picture: its middle is at a point, and on a curve, where it begins at the curve's beginning.
+void CheckSinglePicture(Check& check)
+{
+  for (const bool isCurve : { false, true })
+  {
+    const std::vector<Point> curve = { { 0, 0.5, 0 }, { 1, 0.5, 0 } };
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(Square(4));
+    filter->SetSourceData(isCurve ? Polyline(curve) : PointSources({ { 0.5, 0.5, 0 } }));
+    filter->RefineMeshOff();
+    filter->GenerateTextureCoordinatesOn();
+    filter->SetTextureScale(0.5);
+    filter->Update();
+    vtkNew<vtkPolyData> tiles;
+    tiles->DeepCopy(filter->GetOutput());
+    filter->TextureRepeatsOff();
+    filter->Update();
+    const double along = isCurve ? 0.0 : 0.5;
+    for (vtkIdType i = 0; i < tiles->GetNumberOfPoints(); ++i)
+    {
+      const double* tile = tiles->GetPointData()->GetTCoords()->GetTuple2(i);
+      const double expected[2] = { tile[0] + along, tile[1] + 0.5 };
+      const double* uv = filter->GetOutput()->GetPointData()->GetTCoords()->GetTuple2(i);
+      check.That(std::abs(uv[0] - expected[0]) < 1e-6 && std::abs(uv[1] - expected[1]) < 1e-6,
+        "one picture: " + std::to_string(uv[0]) + " " + std::to_string(uv[1]));
+    }
+  }
+}
+
 void CheckDefaults(Check& check)
 {
   vtkNew<vtkGeodesicDistanceField> field;
   check.Equal(field->GetTextureScale(), 0.0, "a round tile by default");
+  check.That(field->GetTextureRepeats(), "tiles by default");
   check.That(!field->GetGenerateSourceArcLength() && !field->GetGenerateSourceAngle() &&
       !field->GetGenerateTextureCoordinates(),
     "off by default");
@@ -596,15 +399,12 @@ int TestGeodesicSourceCoordinates(int, char*[])
   Check check;
   for (const bool refine : { false, true })
   {
-    CheckLineUpACylinder(check, refine);
-    CheckRingAroundACylinder(check, refine);
-    CheckApexOfACone(check, refine);
     CheckBlocks(check, refine);
     CheckAgainstSourceOnSurface(check, refine);
   }
-  CheckPoleOfASphere(check);
   CheckScale(check);
   CheckTextureScale(check);
+  CheckSinglePicture(check);
   CheckAgainstPaths(check);
   CheckPieces(check);
   CheckDefaults(check);

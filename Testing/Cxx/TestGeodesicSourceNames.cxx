@@ -275,7 +275,7 @@ void CheckGrid(Check& check)
     PointSources({ { 0.1, 0.1, 0 }, { 0.2, 0.3, 0 }, { 0.8, 0.8, 0 }, { 0.9, 0.2, 0 } })
       ->GetPoints());
   const std::array<vtkIdType, 4> ids = { 0, 1, 2, 3 };
-  grid->InsertNextCell(VTK_TRIANGLE, 3, ids.data());
+  grid->InsertNextCell(VTK_QUADRATIC_EDGE, 3, ids.data());
   grid->InsertNextCell(VTK_LINE, 2, ids.data());
   grid->InsertNextCell(VTK_VERTEX, 1, ids.data() + 3);
   grid->InsertNextCell(VTK_VERTEX, 1, ids.data() + 2);
@@ -348,15 +348,45 @@ void CheckErrors(Check& check)
   vtkNew<vtkDoubleArray> numbers;
   numbers->SetName(Name);
   numbers->SetNumberOfTuples(2);
-  numbers->Fill(1.0);
+  numbers->Fill(1.5);
   real->GetPointData()->AddArray(numbers);
-  CheckError(check, real, { "is a vtkDoubleArray, where whole numbers are needed" });
+  CheckError(check, real,
+    { "is a vtkDoubleArray with a value that is no whole number, where whole numbers are needed" });
+  numbers->Fill(std::numeric_limits<double>::quiet_NaN());
+  CheckError(check, real, { "is a vtkDoubleArray with a value that is no whole number" });
+  numbers->Fill(1e300);
+  CheckError(check, real, { "Point 0 of the source (input port 1) has a value that is too large" });
   auto text = PointSources(points);
   vtkNew<vtkStringArray> words;
   words->SetName(Name);
   words->SetNumberOfValues(2);
   text->GetPointData()->AddArray(words);
   CheckError(check, text, { "is a vtkStringArray" });
+}
+
+/// As ParaView's calculator makes them.
+void CheckWholeNumbers(Check& check)
+{
+  auto source = PointSources({ { 0.1, 0.2, 0 }, { 0.9, 0.1, 0 } });
+  vtkNew<vtkDoubleArray> ids;
+  ids->SetName(Name);
+  ids->InsertNextValue(7.0);
+  ids->InsertNextValue(4.0);
+  source->GetPointData()->AddArray(ids);
+  vtkNew<vtkGeodesicDistanceMatrix> matrix;
+  matrix->SetInputData(Square(4));
+  matrix->SetSourceData(source);
+  matrix->SetSourceIdArrayName(Name);
+  Messages messages(matrix);
+  messages.Update();
+  check.That(messages.Error().empty(), "whole numbers: " + messages.Error());
+  vtkTable* table = matrix->GetOutput();
+  for (const int id : { 4, 7 })
+  {
+    vtkAbstractArray* column = table->GetColumnByName(("Source" + std::to_string(id)).c_str());
+    check.That(column && column->GetVariantValue(id == 7 ? 0 : 1).ToDouble() == 0.0,
+      "the column of a whole number");
+  }
 }
 
 /// If the boundary is the source, the array does not matter.
@@ -386,6 +416,7 @@ int TestGeodesicSourceNames(int, char*[])
   CheckRegions(check);
   CheckGrid(check);
   CheckErrors(check);
+  CheckWholeNumbers(check);
   CheckBoundary(check);
   return check.Result();
 }

@@ -98,7 +98,7 @@ void CheckKinds(Check& check)
         data->SetVerts(vertices);
       }),
     least({ DistanceTo({ p[0], p[1], p[2] }), DistanceTo({ p[3] }) }), 1, 1);
-  CheckSource(check, "a polygon stands for its outline",
+  CheckSource(check, "a polygon inside faces stands for its outline",
     WithCells(PointSources(p),
       [](vtkPolyData* data, vtkCellArray* cells)
       {
@@ -106,7 +106,7 @@ void CheckKinds(Check& check)
         data->SetPolys(cells);
       }),
     DistanceTo(outline), 1, 0);
-  CheckSource(check, "a strip stands for its outline",
+  CheckSource(check, "a strip inside faces stands for its outline",
     WithCells(PointSources(p),
       [](vtkPolyData* data, vtkCellArray* cells)
       {
@@ -367,8 +367,8 @@ void CheckOrder(Check& check)
   };
   check.That(are(onSurface(false, { 0, 1, 0 }), { 0, 1, 0 }), "a line there and back");
   check.That(are(onSurface(false, { 0, 1, 2, 0 }), { 0, 1, 2, 0 }), "a closed line");
-  check.That(are(onSurface(true, { 0, 1, 2, 3 }), { 0, 2, 3, 1, 0 }), "a strip of four points");
-  check.That(are(onSurface(true, { 0, 1, 2, 3, 4 }), { 0, 2, 4, 3, 1, 0 }), "one of five");
+  check.That(are(onSurface(true, { 0, 1, 2, 3 }), { 0, 1, 3, 2, 0 }), "a strip of four points");
+  check.That(are(onSurface(true, { 0, 1, 2, 3, 4 }), { 0, 1, 3, 4, 2, 0 }), "one of five");
 }
 
 /// The blocks of a source have one precision, the least of any of them.

@@ -161,6 +161,50 @@ void CheckUnreachedValues(Check& check)
   }
 }
 
+/// The second square is not reached. Its points do not count if no face uses them.
+void CheckFarthest(Check& check)
+{
+  for (const int mode : { 0, 1, 2 })
+  {
+    for (const bool isAlone : { false, true })
+    {
+      auto surface = TwoSquaresAndUnusedPoints();
+      vtkNew<vtkPolyData> alone;
+      alone->DeepCopy(surface);
+      vtkNew<vtkCellArray> faces;
+      vtkNew<vtkIdList> ids;
+      for (vtkIdType i = 0; i < surface->GetNumberOfPolys() / 2; ++i)
+      {
+        surface->GetPolys()->GetCellAtId(i, ids);
+        faces->InsertNextCell(ids);
+      }
+      alone->SetPolys(faces);
+      vtkNew<vtkGeodesicDistanceField> filter;
+      filter->SetInputData(isAlone ? alone.GetPointer() : surface.GetPointer());
+      filter->SetSourceData(Line());
+      filter->SetUnreachedValue(mode);
+      filter->SetCustomUnreachedValue(1e6);
+      filter->Update();
+      check.That(filter->GetHasUnreachedPoints() == !isAlone, "faces that are not reached");
+      double largest = 0.0;
+      vtkPolyData* output = filter->GetOutput();
+      vtkDataArray* distances = output->GetPointData()->GetArray("GeodesicDistance");
+      for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+      {
+        const double distance = distances->GetTuple1(i);
+        largest = distance < 1e6 ? std::max(largest, distance) : largest;
+      }
+      check.Equal(filter->GetLargestDistance(), largest, "the largest distance");
+      const double* place = filter->GetFarthestPoint();
+      const vtkIdType there = output->FindPoint(place[0], place[1], place[2]);
+      Point found;
+      output->GetPoint(there, found.data());
+      check.Equal(distances->GetTuple1(there), largest, "where the largest distance is");
+      check.That(found == Point{ place[0], place[1], place[2] }, "the farthest is a point");
+    }
+  }
+}
+
 void CheckDefaults(Check& check)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
@@ -539,6 +583,7 @@ int TestGeodesicUnreached(int, char*[])
 {
   Check check;
   CheckDefaults(check);
+  CheckFarthest(check);
   CheckUnreachedValues(check);
   CheckRemoval(check);
   CheckNothingToRemove(check);

@@ -30,10 +30,13 @@ def begin():
     ball = simple.Sphere(registrationName="Ball", Radius=RADIUS, ThetaResolution=60, PhiResolution=60)
     simple.Show(ball, view)
     simple.PolyLineSource(registrationName="Front", Points=[-0.1, 0, 0.5, 0.1, 0, 0.5])
-    left, right = (simple.PolyLineSource(Points=[x, -0.1, 0, x, 0.1, 0]) for x in (-0.5, 0.5))
+    left, right = (simple.Slice(Input=ball) for _ in "lr")
+    left.SliceType.Origin, right.SliceType.Origin = (-0.3, 0, 0), (0.3, 0, 0)
     simple.AppendGeometry(registrationName="Sides", Input=[left, right])
     far = simple.Sphere(Radius=0.1, Center=(0, 0.8, 0))
     simple.AppendGeometry(registrationName="Balls", Input=[ball, far])
+    beside = simple.PointSource(NumberOfPoints=5, Center=(2, 0, 0))
+    simple.AppendGeometry(registrationName="Unused points", Input=[ball, beside])
     simple.SetActiveSource(ball)
     # A tenth of the view's height is 0.2.
     view.CameraParallelProjection, view.CameraParallelScale = 1, 1
@@ -65,6 +68,31 @@ def note_shown(step):
               if display.SMProxy.GetProperty("Input") and display.Visibility]
     shown = [f"{names[shown.GetProxy(0)]}:{shown.GetOutputPortForConnection(0)}" for shown in inputs]
     note(f"{step}-shown", selected=names[simple.GetActiveSource().SMProxy], shown=sorted(shown))
+
+
+def note_label(step):
+    """The words in the view, and the results of what is selected."""
+    field = simple.GetActiveSource()
+    hidden = simple.GetActiveView().SMProxy.GetProperty("HiddenRepresentations")
+    shown = [hidden.GetProxy(i) for i in range(hidden.GetNumberOfProxies())]
+    words = [label.GetProperty("Input").GetProxy(0).GetProperty("Text").GetElement(0) for label in shown
+             if label.GetXMLName() == "TextSourceRepresentation" and label.GetProperty("Visibility").GetElement(0)]
+    note(step, words=words, length=field.SourceLength, largest=field.LargestDistance, place=list(field.FarthestPoint))
+    picture(step)
+
+
+def note_texture(step, file):
+    """A texture as one picture, or none."""
+    field = simple.GetActiveSource()
+    field.GenerateTextureCoordinates, field.TextureRepeats = 1, 0
+    display = simple.GetDisplayProperties(field)
+    display.Texture = simple.CreateTexture(str(FOLDER / file)) if file else None
+    simple.Render()
+    note(step, array=display.ColorArrayName[1], repeats=display.RepeatTextures)
+
+
+def show_source(visible):
+    simple.GetDisplayProperties(simple.OutputPort(simple.GetActiveSource(), 1)).Visibility = visible
 
 
 def show_array(name):

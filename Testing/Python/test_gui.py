@@ -52,7 +52,7 @@ DEFAULTS = {"Input": "Sheet", "Source": None, "SourceType": 0, "Accuracy": 0, "R
             "DistanceArrayName": "GeodesicDistance",
             "GenerateSourceIds": 0, "GenerateClosestPoints": 0, "GenerateGradients": 0,
             "GenerateSignedDistance": 0, "GenerateSourceArcLength": 0, "GenerateSourceAngle": 0,
-            "GenerateTextureCoordinates": 0, "TextureScale": 0, "ColorByStripes": 1}
+            "GenerateTextureCoordinates": 0, "TextureScale": 0, "TextureRepeats": 1, "ColorByStripes": 1}
 
 
 class Applied:
@@ -104,7 +104,7 @@ for number, moved in enumerate((
         {"GenerateSourceAngle": 1}, {"GenerateTextureCoordinates": 1, "TextureScale": 0.25})):
     asked.update(moved)
     assert runs[number].properties == asked, f"{number}: {runs[number].properties}"
-MOVED_ELSEWHERE = {"ColorByStripes", "UnreachedValue", "CustomUnreachedValue", "RemoveUnusedPoints",
+MOVED_ELSEWHERE = {"ColorByStripes", "TextureRepeats", "UnreachedValue", "CustomUnreachedValue", "RemoveUnusedPoints",
                    "RefineSourceBorders", "OutputPointsPrecision", "SourceIdArrayName",
                    "MergeTolerance"}
 assert not DEFAULTS.keys() - {"Input"} - MOVED_ELSEWHERE - {

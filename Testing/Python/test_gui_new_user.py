@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A new user in the real GUI: keys draw a curve on the surface; ids have one color each; gray has a word, and
-is there only if something is not reached; the color map grows with time.
+"""A new user in the real GUI: keys draw a curve on the surface, whose length stands in the view; ids have one color
+each; gray has a word, and is there only if something is not reached; the color map grows with time.
 
 usage: pvpython test_gui_new_user.py PARAVIEW FOLDER
 """
@@ -50,14 +50,32 @@ for step in ("other", "front"):
     shown = noted(f"{step}-shown")["shown"]
     assert not any(name.startswith("GeodesicDistanceFieldFromDrawnCurve1:") for name in shown), (step, shown)
 
+# --------------------------------------------------------------------------------------------- results
+ruler = noted("ruler")
+assert ruler["length"] > 0.1 and ruler["words"] == [f"Length {ruler['length']:g}"], ruler
+assert noted("hidden ruler")["words"] == []
+place = np.array(ruler["place"])
+assert abs(np.linalg.norm(place) - 0.5) < 0.01, ruler
+# From the back of the ball to the curve at its front.
+to_curve = np.linalg.norm(curves["removed"] - place, axis=1).min()
+assert to_curve < ruler["largest"] < to_curve * np.pi / 2 + 0.01, (to_curve, ruler)
+assert noted("unused label")["words"] == [], "the curve's length is no other field's"
+
 # ---------------------------------------------------------------------------------------------- colors
-near, ids, apart, played = (noted(step) for step in ("other", "ids", "apart", "played"))
+near, ids, unused, apart, played = (noted(step) for step in ("other", "ids", "unused", "apart", "played"))
 assert ids["array"] == "SourceId" and ids["categories"], ids
-assert ids["annotations"] == ["0", "0", "1", "1"], ids
+# Two curves, one in each half of a slice's many lines: no entry for the ids between.
+first, _, second, _ = ids["annotations"]
+assert ids["annotations"] == [first, first, second, second] and first == "0" and int(second) > 32, ids
 assert len(ids["colors"]) == 6 and ids["colors"][:3] != ids["colors"][3:], ids
-assert not near["has_gray"] and not near["has_word"], near
+for seen in (near, unused):
+    assert not seen["has_gray"] and not seen["has_word"], seen
 for seen in (apart, played):
     assert seen["has_gray"] and seen["has_word"] and seen["word"] == "not reached", seen
 
 # At the last frame the front goes up to 1.2 in place of 0.4.
 assert apart["nodes"][-4] < 0.8 < 1.2 <= played["nodes"][-4], (apart["nodes"], played["nodes"])
+
+# Stripes give way to a texture as long as it is there.
+assert noted("texture") == {"array": "", "repeats": 0}, noted("texture")
+assert noted("no texture")["array"] == "GeodesicDistance", noted("no texture")

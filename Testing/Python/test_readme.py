@@ -20,10 +20,13 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from geodesic_testing import data, distances, load_plugin
+from pixels import read_pixels
 
 BUILD = pathlib.Path(sys.argv.pop())
 SOURCES = pathlib.Path(sys.argv.pop()).resolve()
 README = (SOURCES / "README.md").read_text()
+sys.path.append(str(SOURCES / "Examples/gallery"))
+import small_png  # noqa: E402
 load_plugin()
 
 
@@ -50,6 +53,9 @@ class HowTo(InFolder):
         names = dict(vars(simple))
         names["surface"] = simple.Sphere(ThetaResolution=100, PhiResolution=100)
         ezdxf = unittest.mock.MagicMock()  # not packaged everywhere
+        picture = np.full((64, 64, 3), 255, np.uint8)
+        picture[8:-8, 8:-8] = 200, 0, 0
+        small_png.write(picture, "picture.png")
         with unittest.mock.patch.dict(sys.modules, ezdxf=ezdxf):
             for block in blocks_in((SOURCES / "Examples/HowTo.md").read_text()):
                 exec(block, names)
@@ -64,6 +70,8 @@ class HowTo(InFolder):
         self.assertAlmostEqual(paths.LongestLength, quarter, delta=0.002)
         ids = vtk_to_numpy(data(names["nearest"]).GetPointData().GetArray("SourceId"))
         self.assertEqual(set(ids), {0, 1})
+        self.assert_landmarks(names)
+        self.assert_pictures(names)
         self.assert_table()
         self.assert_lines()
         found = distances(names["near"])
@@ -73,8 +81,80 @@ class HowTo(InFolder):
         inside = points[:, 0] > 0.43
         self.assertTrue(np.isinf(distances(names["around"])[inside]).all())
         self.assertTrue(np.isfinite(distances(names["around"])[points[:, 0] < 0.37]).all())
+        self.assert_cuts(names)
         height = np.arcsin(0.2 / 0.5) * 0.5  # of the last slice, along a meridian
         self.assertAlmostEqual(distances(names["nearest"]).max(), quarter + height, delta=0.002)
+
+    def assert_landmarks(self, names):
+        with open("landmarks.csv") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["TargetId"] for row in rows], ["0", "1", "2"])
+        places = [[float(row[f"TargetPosition:{k}"] if f"TargetPosition:{k}" in row else row[f"TargetPosition_{k}"])
+                   for k in range(3)] for row in rows]
+        np.testing.assert_allclose(places, [(0, 0, 0.5), (0.5, 0, 0), (0, -0.5, 0)], atol=0.002)
+        table = np.array([[float(row[f"Source{k}"]) for k in range(3)] for row in rows])
+        np.testing.assert_allclose(table, np.pi/4*(1 - np.eye(3)), atol=0.002)
+        self.assertEqual(set(vtk_to_numpy(data(names["landmarks"]).GetPointData().GetArray("SourceId"))), {0, 1, 2})
+        self.assertAlmostEqual(names["field"].LargestDistance, np.pi/2, delta=0.002)
+        np.testing.assert_allclose(names["field"].FarthestPoint, (0, 0, -0.5), atol=1e-6)
+        cap = 2*np.pi*0.5**2*(1 - np.cos(0.2/0.5))
+        self.assertAlmostEqual(names["disk"].CellData["Area"].GetRange()[0], cap, delta=0.002)
+
+    def assert_pictures(self, names):
+        self.assertEqual(len(list(pathlib.Path().glob("moving*.png"))), 5)
+        view = simple.GetActiveView()
+        self.addCleanup(simple.Delete, view)
+        view.OrientationAxesVisibility = 0
+        simple.HideAll(view)
+        simple.Show(names["decal"], view)
+        view.CameraParallelProjection, view.CameraParallelScale = 1, 0.6
+        view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = (0, 0, 5), (0, 0, 0), (0, 1, 0)
+        simple.SaveScreenshot("decal.png", view, ImageResolution=(400, 400))
+        red, green, blue = np.moveaxis(read_pixels("decal.png").astype(int), -1, 0)
+        rows, columns = np.where((red > 2*green) & (red > 2*blue))
+        # Three quarters of 0.3 in a view of 1.2 for 400 pixels: once, in the middle.
+        for places in rows, columns:
+            self.assertAlmostEqual(np.mean((places.min(), places.max())), 200, delta=5)
+            self.assertTrue(60 < np.ptp(places) < 120, np.ptp(places))
+
+    def assert_cuts(self, names):
+        strip = data(names["strip"])
+        heights = vtk_to_numpy(strip.GetPoints().GetData())[:, 2]
+        middle = np.arcsin(0.2 / 0.5)  # of the slice where the page has moved it to in the end
+        self.assertAlmostEqual(heights.max(), 0.5 * np.sin(middle + 0.1 / 0.5), delta=0.001)
+        self.assertAlmostEqual(heights.min(), 0.5 * np.sin(middle - 0.1 / 0.5), delta=0.001)
+        whole = simple.IntegrateVariables(Input=names["surface"])
+        whole.UpdatePipeline()
+        self.assertAlmostEqual(sum(names["areas"]), whole.CellData["Area"].GetRange()[0], delta=1e-12)
+        # Shortest paths are great circles: each corner between them is the angle of two planes.
+        corners = np.array(names["corners"]).reshape(4, 3)
+        normals = [np.cross(a, b) / np.linalg.norm(np.cross(a, b)) for a, b in zip(corners, np.roll(corners, -1, axis=0))]
+        angles = [np.pi - np.arccos(a @ b) for a, b in zip(normals, np.roll(normals, -1, axis=0))]
+        self.assertAlmostEqual(names["areas"][0], 0.25 * (sum(angles) - 2 * np.pi), delta=0.002)
+        point = data(simple.OutputPort(names["whole"], 1)).GetPoint(0)
+        self.assertLess(point[0], 0.001)
+        self.assertAlmostEqual(np.linalg.norm(point), 0.5, delta=0.001)
+
+    def test_a_split_along_a_closed_curve_has_areas_to_eight_digits(self):
+        """Against planes through the ball, which cut its facets along the same curve."""
+        ball = simple.Sphere(ThetaResolution=100, PhiResolution=100)
+        for normal in ((0.1, 0.2, 1), (1, -0.3, 0.4)):
+            ring = simple.Slice(Input=ball)
+            ring.SliceType.Origin, ring.SliceType.Normal = (0, 0, 0.1), normal
+            signed = simple.GeodesicDistanceField(Input=ball, Source=ring, GenerateSignedDistance=1,
+                                                  RefinementTolerance=0.0001)
+            sides = [[], []]
+            for invert in (0, 1):
+                plane = simple.Clip(Input=ball, ClipType="Plane", Invert=invert)
+                plane.ClipType.Origin, plane.ClipType.Normal = (0, 0, 0.1), normal
+                side = simple.Clip(Input=signed, ClipType="Scalar", Scalars=["POINTS", "SignedGeodesicDistance"],
+                                   Invert=invert)
+                side.Value = 0
+                for part, areas in zip((plane, side), sides):
+                    area = simple.IntegrateVariables(Input=part)
+                    area.UpdatePipeline()
+                    areas.append(area.CellData["Area"].GetRange()[0])
+            np.testing.assert_allclose(sorted(sides[1]), sorted(sides[0]), rtol=1e-8, atol=1e-8)
 
     def assert_table(self):
         with open("distances.csv") as file:
@@ -129,7 +209,7 @@ class Readme(InFolder):
 
     def test_links_lead_somewhere(self):
         for page in ("README.md", "CONTRIBUTING.md", "Examples/HowTo.md", "Examples/Python.md", "Filters/Reference.md",
-                     "Filters/Core/README.md"):
+                     "Filters/Core/README.md", "Testing/Platforms.md"):
             self.check_links(page)
 
     def check_links(self, page):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""geodesicdistance.Surface: what the functions give, call after call; pairs; threads; points that no face uses."""
+"""geodesicdistance.Surface: what the functions give, call after call; pairs; points spread evenly; threads;
+points that no face uses."""
 
 import copy
 import inspect
@@ -15,7 +16,7 @@ import warnings
 import numpy as np
 
 import geodesicdistance
-from geodesicdistance import GeodesicError, Surface, contour, curve, distance, field, matrix, paths
+from geodesicdistance import GeodesicError, Surface, contour, curve, distance, farthest_points, field, matrix, paths
 from test_functions import EXACT, as_poly_data, octahedron, sheet
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
@@ -164,7 +165,7 @@ class Kept(unittest.TestCase):
 
     def test_takes_the_arguments_of_the_functions(self):
         own = inspect.signature(Surface).parameters
-        for name in ("distance", "field", "contour", "paths", "matrix"):
+        for name in ("distance", "field", "contour", "paths", "matrix", "farthest_points"):
             self.assertIn("\n", getattr(geodesicdistance, name).__doc__)
             function = inspect.signature(getattr(geodesicdistance, name)).parameters
             method = inspect.signature(getattr(Surface, name)).parameters
@@ -193,7 +194,8 @@ class Properties(unittest.TestCase):
     def test_are_all_arguments(self):
         """Each setter of the filters is an argument, or has another name here."""
         others = {"Controller", "SourceType", "SourceConnection", "SourceData", "BarrierArrayName", "SourceIdArrayName",
-                  "SourceNameArrayName", "TargetNameArrayName",  # a numpy array has no names
+                  # a numpy array has no names, and nothing but distances
+                  "SourceNameArrayName", "TargetNameArrayName", "GenerateTargetPositions",
                   "TargetsConnection", "TargetsData", "NumberOfContours", "Value"}
         for name, kind in (("field", "DistanceField"), ("contour", "Contour"), ("paths", "Paths"),
                            ("matrix", "DistanceMatrix")):
@@ -303,6 +305,37 @@ class Pairs(unittest.TestCase):
             self.assertEqual(given.shape, (rows,))
             np.testing.assert_allclose(given, table[chosen[:, 1], chosen[:, 0]], atol=EXACT)
 
+    def test_of_positions_and_indices_have_the_distances_of_the_whole_table(self):
+        random = np.random.default_rng(53)
+        points, faces = sheet(12)
+        points = points + random.uniform(-0.02, 0.02, points.shape)
+        positions = [random.uniform((0, 0, 0), (1, 1, 0), (count, 3)) for count in (7, 9)]
+        indices = [random.choice(len(points), count, replace=False) for count in (7, 9)]
+        kept = Surface((points, faces))
+        for source in positions[0], indices[0]:
+            for targets in positions[1], indices[1]:
+                table = kept.matrix(source, targets)
+                for rows in (60, 5, 1):
+                    chosen = np.column_stack((random.integers(0, 7, rows), random.integers(0, 9, rows)))
+                    given = kept.matrix(source, targets, pairs=chosen)
+                    np.testing.assert_allclose(given, table[chosen[:, 1], chosen[:, 0]], atol=EXACT)
+
+    def test_index_the_source_first_and_then_the_targets(self):
+        ends = np.array([(0.1, 0.2, 0), (0.6, 0.2, 0)]), np.array([(0.1, 0.9, 0), (0.1, 0.5, 0), (0.9, 0.6, 0)])
+        np.testing.assert_allclose(matrix(sheet(), *ends, pairs=[(0, 1), (1, 2), (0, 0)]), [0.3, 0.5, 0.7], atol=EXACT)
+        mask = np.zeros(81, bool)
+        mask[[0, 8]] = True
+        np.testing.assert_allclose(matrix(sheet(), mask, 80, pairs=[(1, 0), (0, 0)]), [1, 2**0.5], atol=EXACT)
+        self.assertEqual(matrix(sheet(), *ends, pairs=[]).shape, (0,))
+        np.testing.assert_array_equal(matrix(sheet(), *ends, pairs=[(0, 1), (0, 0)], maximum_distance=0.5) < np.inf,
+                                      [True, False])
+
+    def test_of_indices_tell_points_at_one_place_apart(self):
+        points, faces = sheet()
+        two = np.concatenate((points, points)), np.concatenate((faces, np.array(faces) + len(points)))
+        given = matrix(two, [0, 81], [8, 89], pairs=[(0, 0), (0, 1), (1, 1)], merge_coincident_points=False)
+        np.testing.assert_allclose(given, [1, np.inf, 1], atol=EXACT)
+
     def test_are_measured_from_as_few_points_as_will_do(self):
         kept = Surface(sheet())
         ids = range(80)
@@ -315,6 +348,11 @@ class Pairs(unittest.TestCase):
             solves.clear()
             kept.matrix(pairs=pairs)
             self.assertEqual(len(solves), number)
+        places = np.random.default_rng(1).uniform((0, 0, 0), (1, 1, 0), (80, 3))
+        for sides in ((places, places[:1]), (places[:1], places), (places, places[[5] * 80])):
+            solves.clear()
+            kept.matrix(*sides, pairs=[(i % len(sides[0]), i % len(sides[1])) for i in ids])
+            self.assertEqual(len(solves), 1)
 
     def test_stop_at_a_maximum_and_where_there_is_no_path(self):
         points, faces = sheet()
@@ -327,10 +365,106 @@ class Pairs(unittest.TestCase):
         for arguments, message in (({"pairs": [(0, 81)]}, "there is no 81"), ({"pairs": [(0, -1)]}, "there is no -1"),
                                    ({"pairs": [0, 1]}, "two indices"), ({"pairs": [(0, 1, 2)]}, "two indices"),
                                    ({"pairs": [(0.0, 1.0)]}, "two indices"), ({"pairs": {(0, 1)}}, "given as a set"),
-                                   ({"source": 0, "pairs": [(0, 1)]}, "no source and no targets"),
-                                   ({"targets": 0, "pairs": [(0, 1)]}, "no source and no targets")):
+                                   ({"source": 0, "pairs": [(0, 1)]}, "give both, or neither"),
+                                   ({"targets": 0, "pairs": [(0, 1)]}, "give both, or neither"),
+                                   ({"pairs": [(0, 1)], "boundary": True}, "no boundary"),
+                                   ({"pairs": [(0, 1)], "source_ids": [1]}, "no boundary and no source_ids"),
+                                   ({"source": [3, 4], "targets": 0, "pairs": [(2, 0)]}, "source has 2 .* no 2"),
+                                   ({"source": [3, 4], "targets": 0, "pairs": [(1, 1)]}, "targets has 1 .* no 1"),
+                                   ({"source": [3, 4], "targets": 0, "pairs": [(-1, 0)]}, "there is no -1"),
+                                   ({"source": LINE, "targets": 0, "pairs": [(0, 0)]}, "mesh.points of PyVista"),
+                                   ({"source": 0, "targets": [(0., 0)], "pairs": [(0, 0)]}, r"\(number, 3\)")):
             with self.subTest(message=message), self.assertRaisesRegex(GeodesicError, message):
                 matrix(sheet(), **arguments)
+
+
+def rough_sheet(random):
+    """A sheet of bumps and valleys, with no two distances alike."""
+    points, faces = sheet(12)
+    return points + random.uniform(-0.03, 0.03, points.shape), faces
+
+
+class SpreadPoints(unittest.TestCase):
+    def assert_each_is_the_farthest_of_all_before(self, surface, ids, radii, starts=1, **options):
+        """By a field of all before it, without a limit."""
+        for k in range(1, len(ids)):
+            known = distance(surface, ids[:k], **options)
+            self.assertAlmostEqual(known[ids[k]], radii[k], delta=EXACT)
+            if k >= starts:
+                self.assertAlmostEqual(known[known < np.inf].max(), radii[k], delta=EXACT)
+
+    def test_are_each_the_farthest_of_all_before(self):
+        random = np.random.default_rng(4)
+        for start in (0, 77, [5, 100, 6]):
+            surface = rough_sheet(random)
+            ids, radii = farthest_points(surface, 40, start)
+            starts = np.atleast_1d(start)
+            self.assertEqual(ids.shape + radii.shape, (40, 40))
+            self.assertEqual(ids[:len(starts)].tolist(), starts.tolist())
+            self.assertEqual(len(set(ids)), 40)
+            self.assertEqual(radii[0], np.inf)
+            self.assertTrue((np.diff(radii[len(starts):]) <= 0).all())
+            self.assert_each_is_the_farthest_of_all_before(surface, ids, radii, len(starts))
+
+    def test_are_those_of_a_loop_without_limits(self):
+        points, faces = rough_sheet(np.random.default_rng(8))
+        kept, known, expected = Surface((points, faces)), np.full(len(points), np.inf), [0]
+        ids, radii = kept.farthest_points(len(points))
+        for radius in radii[1:]:
+            known = np.minimum(known, kept.distance(expected[-1]))
+            expected.append(known.argmax())
+            self.assertEqual(known.max(), radius)
+        self.assertEqual(ids.tolist(), expected)
+
+    def test_that_tie_come_in_the_order_of_their_indices(self):
+        ids, radii = farthest_points(sheet(), 4)
+        self.assertEqual(ids.tolist(), [0, 80, 8, 72])
+        np.testing.assert_allclose(radii, [np.inf, 2**0.5, 1, 1], atol=EXACT)
+
+    def test_are_spread_around_barriers_and_not_inside(self):
+        points, faces = sheet()
+        middles = points[np.array(faces)].mean(axis=1)
+        walls = (np.abs(middles[:, 0] - 0.5) < 0.2) & (middles[:, 1] < 0.8)
+        outside = np.unique(np.array(faces)[~walls])
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            ids, radii = farthest_points((points, faces), len(outside), barriers=walls)
+        self.assertEqual(set(ids), set(outside))
+        self.assertGreater(radii[1], 1.5)
+        self.assert_each_is_the_farthest_of_all_before((points, faces), ids[:12], radii[:12], barriers=walls)
+
+    def test_are_only_where_a_path_leads_from_the_start(self):
+        points, faces = sheet()
+        two = np.concatenate((points, points + (0, 0, 3))), np.concatenate((faces, np.array(faces) + len(points)))
+        with self.assertWarnsRegex(UserWarning, "^81 points are left out, .* such as point 81: give a start in each"):
+            ids, radii = farthest_points(two, 10)
+        self.assertLess(ids.max(), 81)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            ids, radii = farthest_points(two, 4, [0, 81])
+        np.testing.assert_allclose(radii, [np.inf, np.inf, 2**0.5, 2**0.5], atol=EXACT)
+        self.assertEqual(ids.tolist(), [0, 81, 80, 161])
+
+    def test_leave_out_points_that_no_face_uses_and_a_place_that_is_taken(self):
+        points, faces = sheet()
+        more = np.concatenate((points, [(9., 9, 9)], points[[8]])), faces
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertEqual(set(farthest_points(more, 81, 82)[0]), {*range(81), 82} - {8})
+        with self.assertRaisesRegex(GeodesicError, "^count is 82, but there are only 81 points at different places"):
+            farthest_points(more, 82)
+
+    def test_of_wrong_arguments_are_errors(self):
+        for count, start, message in ((1, 81, "there is no 81"), (1, [0, 1], "the start alone has 2: give"),
+                                      (0, 0, "^count is 0, but the start alone has 1"), (2, [(0., 0, 0)], "an index of a point"),
+                                      (2, 81, "Point 81 of the start belongs to no face")):
+            points, faces = sheet()
+            points = points if "there is" in message else np.concatenate((points, [(9., 9, 9)]))
+            with self.subTest(message=message), self.assertRaisesRegex(GeodesicError, message):
+                farthest_points((points, faces), count, start)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertEqual([array.tolist() for array in farthest_points(sheet(), 1, 7)], [[7], [np.inf]])
 
 
 class UnusedPoints(unittest.TestCase):
@@ -355,6 +489,11 @@ class UnusedPoints(unittest.TestCase):
         with self.assertWarns(UserWarning):
             table = matrix(self.surface, [0, 81, 82])
         np.testing.assert_allclose(table, [[0, np.inf, 1], [np.inf] * 3, [1, np.inf, 0]], atol=EXACT)
+
+    def test_are_infinitely_far_in_pairs_of_a_source_and_targets(self):
+        with self.assertWarnsRegex(UserWarning, r"^1 of 3 pairs not reached, .*: number 1\.$"):
+            given = matrix(self.surface, [0, 81], [(1., 0, 0), (0, 0, 0)], pairs=[(0, 0), (1, 0), (0, 1)])
+        np.testing.assert_allclose(given, [1, np.inf, 0], atol=EXACT)
 
     def test_are_infinitely_far_in_pairs(self):
         with self.assertWarnsRegex(UserWarning, r"^2 of 4 pairs not reached, .*: number 1, 3\.$"):

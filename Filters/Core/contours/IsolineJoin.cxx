@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contours/IsolineJoin.h"
 
+#include "Chains.h"
 #include "Errors.h"
 #include "Tolerance.h"
 
@@ -11,9 +12,6 @@ namespace geodesic
 
 namespace
 {
-
-/// The first or the last point of a piece: 2 * piece, or 2 * piece + 1.
-using PieceEnd = Id;
 
 class PieceJoiner
 {
@@ -50,18 +48,11 @@ public:
 
   Isolines run()
   {
-    this->linkEnds();
-    this->isUsed_.assign(this->pieces_.size(), 0);
-    // Lines that end somewhere first, so that what is left is closed.
-    for (const bool isClosed : { false, true })
+    std::vector<Chain> chains = followChains(this->pointsAtEnds());
+    beginAtLowestEnds(chains);
+    for (const Chain& chain : chains)
     {
-      for (PieceEnd end = 0; end < 2 * this->pieces_.size(); ++end)
-      {
-        if (!this->isUsed_[end / 2] && (isClosed || this->behind(end) == NoId))
-        {
-          this->follow(end);
-        }
-      }
+      this->addLine(chain);
     }
     std::vector<Isoline>& lines = this->result_.lines;
     const auto last = std::remove_if(
@@ -74,75 +65,55 @@ public:
   }
 
 private:
-  struct Node
-  {
-    PieceEnd ends[2] = { NoId, NoId };
-    Id count = 0;
-  };
-
   std::size_t firstOf(Id piece) const { return piece == 0 ? 0 : this->pieces_[piece - 1].end; }
 
-  Id pointAt(PieceEnd end) const
+  Id pointAt(Id end) const
   {
     const Id piece = end / 2;
     return this->ids_[end % 2 == 1 ? this->pieces_[piece].end - 1 : this->firstOf(piece)];
   }
 
-  void linkEnds()
+  /// Of all pieces; NoId where the line of another rank continues.
+  std::vector<Id> pointsAtEnds() const
   {
-    constexpr Id more = 3; // than meet where a line goes on
-    this->nodes_.assign(this->points_.size(), {});
-    for (const Id point : this->atSeams_)
+    std::vector<Id> points(2 * this->pieces_.size());
+    for (Id end = 0; end < points.size(); ++end)
     {
-      this->nodes_[point].count = more;
+      const Id point = this->pointAt(end);
+      points[end] = this->isAtSeam(point) ? NoId : point;
     }
-    for (PieceEnd end = 0; end < 2 * this->pieces_.size(); ++end)
-    {
-      Node& node = this->nodes_[this->pointAt(end)];
-      if (node.count < 2)
-      {
-        node.ends[node.count] = end;
-      }
-      ++node.count;
-    }
+    return points;
   }
 
-  /// Where the line goes on behind the end of a piece; NoId if it ends there.
-  PieceEnd behind(PieceEnd end) const
+  bool isAtSeam(Id point) const
   {
-    const Node& node = this->nodes_[this->pointAt(end)];
-    return node.count != 2 ? NoId : node.ends[node.ends[0] == end ? 1 : 0];
+    return std::binary_search(this->atSeams_.begin(), this->atSeams_.end(), point);
   }
 
-  // Adds the line that begins with the end of a piece. The first piece says which way it runs,
-  // should they differ.
-  void follow(PieceEnd begin)
+  // If the directions of pieces differ, the first one says which way the line runs.
+  void addLine(const Chain& chain)
   {
+    const Id begin = chain.ends.front();
     Isoline line = { this->pieces_[begin / 2].value, { this->pointAt(begin) }, {} };
     std::size_t backwards = 0;
-    std::size_t pieces = 0;
-    PieceEnd at = begin;
-    do
+    for (const Id end : chain.ends)
     {
-      const IsolinePieces::Piece& piece = this->pieces_[at / 2];
-      const std::size_t first = this->firstOf(at / 2);
+      const IsolinePieces::Piece& piece = this->pieces_[end / 2];
+      const std::size_t first = this->firstOf(end / 2);
       const std::size_t last = piece.end - 1;
       for (std::size_t i = 1; i <= last - first; ++i)
       {
-        line.points.push_back(this->ids_[at % 2 == 0 ? first + i : last - i]);
+        line.points.push_back(this->ids_[end % 2 == 0 ? first + i : last - i]);
         line.faces.push_back(piece.face);
       }
-      this->isUsed_[at / 2] = 1;
-      backwards += at % 2;
-      ++pieces;
-      at = this->behind(at ^ 1U);
-    } while (at != NoId && at != begin && !this->isUsed_[at / 2]);
+      backwards += end % 2;
+    }
     if (begin % 2 == 1)
     {
       std::reverse(line.points.begin(), line.points.end());
       std::reverse(line.faces.begin(), line.faces.end());
     }
-    this->result_.linesWithoutDirection += backwards > 0 && backwards < pieces ? 1 : 0;
+    this->result_.linesWithoutDirection += backwards > 0 && backwards < chain.ends.size() ? 1 : 0;
     this->result_.lines.push_back(std::move(line));
   }
 
@@ -233,10 +204,9 @@ private:
       }
     }
     line.points.front() = whole.points.front();
-    const auto goesOn = [this](Id point)
-    { return std::binary_search(this->atSeams_.begin(), this->atSeams_.end(), point); };
-    return goesOn(line.points.front()) || goesOn(line.points.back()) ? !line.faces.empty()
-                                                                     : !this->isSpeck(line);
+    return this->isAtSeam(line.points.front()) || this->isAtSeam(line.points.back())
+      ? !line.faces.empty()
+      : !this->isSpeck(line);
   }
 
   void takeUsedPoints()
@@ -264,8 +234,6 @@ private:
   std::vector<IsolinePieces::Piece> pieces_;
   std::vector<Id> ids_;
   std::vector<SurfacePoint> points_;
-  std::vector<Node> nodes_;
-  std::vector<std::uint8_t> isUsed_;
   Isolines result_;
 };
 

@@ -142,7 +142,7 @@ private:
         throw Error("Isolines were asked for in face " + std::to_string(face) +
           ", whose windows the solve did not keep.");
       }
-      if (this->isReached(face))
+      if (this->isReached(face) && !this->field_.isCovered(face))
       {
         this->faces_.push_back(face);
       }

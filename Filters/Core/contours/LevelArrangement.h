@@ -52,8 +52,7 @@ public:
   ///
   /// \param level must outlive the use of the arrangement.
   /// \param withBent whether to add the paths that bend at the ends of windows and at regular
-  /// corners,
-  ///        which no shortest path does.
+  ///        corners, which no shortest path does.
   /// \param offset of the curves from each other, as a fraction.
   void assign(const FaceLevel& level, bool withBent, double offset);
 

@@ -93,7 +93,7 @@ struct PlaneLine
 /// Appends the parameters on the curve where it meets a line, in no order.
 void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<double>& parameters);
 
-/// Whether one of a candidate's ways begins before the value, at its window or its source.
+/// Whether a window or a source of the candidate is nearer than the value somewhere.
 bool hasPointsBefore(const DistanceCandidate& candidate, double value);
 
 /// The points that one distance candidate reaches straight within a value: a convex region bounded

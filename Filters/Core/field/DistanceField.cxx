@@ -17,6 +17,13 @@ std::vector<SourceInFace> DistanceField::sourcesIn(Id face) const
   return { first, last };
 }
 
+bool DistanceField::isCovered(Id face) const
+{
+  const std::vector<SourceInFace> sources = this->sourcesIn(face);
+  return std::any_of(sources.begin(), sources.end(),
+    [](const SourceInFace& source) { return source.isWholeFace; });
+}
+
 double DistanceField::distance(const SurfacePoint& point) const
 {
   const SurfacePoint p = normalized(this->mesh(), point);

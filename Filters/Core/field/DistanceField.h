@@ -52,6 +52,8 @@ public:
 
   /// The sources that lie in a face.
   std::vector<SourceInFace> sourcesIn(Id face) const;
+  /// Whether the whole face belongs to the source: the distance is 0 all over it.
+  bool isCovered(Id face) const;
 
   const TriangleMesh& mesh() const { return this->surface_.mesh(); }
   /// This rank's part of the surface; in one process the whole surface.

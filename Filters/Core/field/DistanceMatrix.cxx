@@ -118,7 +118,7 @@ bool isLessFromTargets(const TriangleMesh& mesh, const SourceSets& sources,
     count += sources[source].empty() ? 0 : 1;
     for (const SourceCurve& curve : sources[source])
     {
-      if (curve.points.size() != 1)
+      if (curve.points.size() != 1 || !curve.coveredFaces.empty())
       {
         return false;
       }

@@ -92,6 +92,13 @@ void FaceDistance::enter(Id face)
   this->face_ = face;
   this->frame_ = longestHalfedge(this->mesh_, face);
   this->candidates_.clear();
+  if (this->field_.isCovered(face))
+  {
+    // A pencil without a direction: 0 everywhere.
+    this->candidates_.push_back({ DistanceCandidate::Kind::Linear, 0.0, {}, {}, {}, 0.0, 0.0 });
+    this->firstCorner_ = 1;
+    return;
+  }
   for (Id k = 0; k < 3; ++k)
   {
     this->addHalfedge(TriangleMesh::halfedgeOf(face, k));

@@ -66,7 +66,7 @@ struct DistanceCandidate
 /// The distance in one face, as the least of its candidates. Goes from face to face in the same
 /// memory.
 ///
-/// Coordinates are those of one plane that holds the face, the frame of its longest halfedge.
+/// Coordinates are in the face's plane, in the frame of the face's longest halfedge.
 class FaceDistance
 {
 public:

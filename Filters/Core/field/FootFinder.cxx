@@ -49,6 +49,11 @@ PathOrigin FootFinder::originOf(const IncomingSegment& piece)
 PathOrigin FootFinder::atSource(const IncomingSegment& piece)
 {
   const SourceInFace& source = piece.source;
+  if (source.isWholeFace)
+  {
+    const RayOrigin side = RayOrigin::curveSide(source.curve, false);
+    return { side, false, RayStart::atParameter(source.parameterOfA) };
+  }
   if (piece.along > 0.0 && piece.along < 1.0)
   {
     const double parameter =

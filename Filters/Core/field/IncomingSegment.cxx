@@ -14,14 +14,13 @@ namespace geodesic
 namespace
 {
 
-/// The same ray in the next face at the edge of the halfedge. The frame of a halfedge in the
+/// The same direction in the next face at the edge of the halfedge. The frame of a halfedge in the
 /// opposite direction is rotated by pi, that of one in the same direction is mirrored.
 IncomingRay acrossEdge(const TriangleMesh& mesh, const IncomingRay& ray)
 {
   const Id behind = mesh.nextSibling(ray.halfedge);
   const bool isOpposed = mesh.origin(behind) == mesh.destination(ray.halfedge);
-  return { behind, true, isOpposed ? mesh.length(behind) - ray.x : ray.x,
-    { isOpposed ? -ray.direction.x : ray.direction.x, -ray.direction.y } };
+  return { behind, { isOpposed ? -ray.direction.x : ray.direction.x, -ray.direction.y } };
 }
 
 using Kind = WayIntoFace::Kind;
@@ -117,7 +116,7 @@ public:
     const WayFrom way =
       wayFrom(arrival.x, apexOf(this->mesh_, arrival.halfedge), arrival.direction, this->faceSize_);
     this->best_.kind = Kind::Window;
-    this->best_.ray = { arrival.halfedge, false, arrival.x, way.direction };
+    this->best_.ray = { arrival.halfedge, way.direction };
     this->best_.origin = arrival.origin;
     this->best_.start = arrival.start;
     this->best_.rayOfWindow = way.ray;
@@ -183,7 +182,7 @@ private:
     const double straight = w.isLinear() ? way.distance : way.distance - w.sigma;
     if (this->improve({ Kind::Window, way.distance, isUnsure || from.isBent ? 0.0 : straight }))
     {
-      const IncomingRay ray = { way.halfedge, false, way.x, from.direction };
+      const IncomingRay ray = { way.halfedge, from.direction };
       this->best_.ray = way.isBehind ? acrossEdge(this->mesh_, ray) : ray;
       this->best_.origin = w.origin;
       this->best_.start = w.startOf({ way.x, 0.0 });
@@ -219,7 +218,7 @@ private:
   IncomingRay rayFrom(const Barycentric& begin) const
   {
     const Id frame = longestHalfedge(this->mesh_, this->face_);
-    return { frame, false, 0.0, wayInFrame(this->mesh_, frame, begin, this->inFace_) };
+    return { frame, wayInFrame(this->mesh_, frame, begin, this->inFace_) };
   }
 
   const DistanceField& field_;

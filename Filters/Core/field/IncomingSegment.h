@@ -7,14 +7,10 @@
 namespace geodesic
 {
 
-/// The ray of a shortest path that crosses a halfedge.
+/// A direction in a face, of any length, in the frame of one of the face's halfedges.
 struct IncomingRay
 {
   Id halfedge = NoId;
-  /// Whether it leaves the halfedge's face there. If not, it comes into the face.
-  bool leaves = false;
-  /// Where it crosses, and its direction of any length, in the halfedge's frame.
-  double x = 0.0;
   Vec2 direction = {};
 };
 
@@ -28,8 +24,7 @@ struct IncomingSegment
   Kind kind = Kind::None;
   double distance = Infinity;
   /// The direction in which the path comes to the point; zero if the piece has no length. The
-  /// halfedge is one of the last face on the path. If the piece comes through a window, the ray
-  /// crosses it.
+  /// halfedge is one of the last face on the path.
   IncomingRay ray;
   /// The corner (MeshPartition::globalId()) or the window's origin (Window::origin). Of a window
   /// also the start of the ray (Window::startOf()), and the ray in the frame of the window's

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/NearestSourceOnRanks.h"
 
-#include "Questions.h"
-
-#include <algorithm>
+#include "FollowOnRanks.h"
 
 namespace geodesic
 {
@@ -57,32 +55,32 @@ Origins originsElsewhere(const DistanceField& field, std::vector<PathOrigin>& at
   {
     return {};
   }
-  Exchange& exchange = part.exchange();
   Origins elsewhere = openOrigins(field);
   const auto isOpen = [](const PathOrigin& path) { return path.origin.isVertex(); };
-  const auto isOpenEntry = [&](const Origins::value_type& entry) { return isOpen(entry.second); };
   // What is known elsewhere of the vertex that an open origin names.
   const auto known = [&](const PathOrigin& path)
   { return isOpen(path) ? elsewhere[path.origin.vertex()] : path; };
-  for (int steps = 0; steps < MaximumSteps &&
-       exchange.isTrueAnywhere(std::any_of(elsewhere.begin(), elsewhere.end(), isOpenEntry));
-       ++steps)
-  {
-    Questions questions(exchange);
-    std::vector<PathOrigin*> asked;
-    for (auto& [number, path] : elsewhere)
+  std::vector<PathOrigin*> asked;
+  followOnRanks<Id>(
+    part.exchange(), {},
+    [&](Questions& questions)
     {
-      if (isOpen(path))
+      asked.clear();
+      for (auto& [number, path] : elsewhere)
       {
-        const Id vertex = path.origin.vertex();
-        questions.ask(part.rankCounting(vertex), asked.size(), vertex);
-        asked.push_back(&path);
+        if (isOpen(path))
+        {
+          const Id vertex = path.origin.vertex();
+          questions.ask(part.rankCounting(vertex), asked.size(), vertex);
+          asked.push_back(&path);
+        }
       }
-    }
-    questions.exchangeAnswers([&](MessageReader& question, Message& answer)
-      { put(answer, known(atVertices[part.countedVertex(question.get<Id>())])); },
-      [&](std::size_t i, MessageReader& answer) { *asked[i] = answer.get<PathOrigin>(); });
-  }
+      return !asked.empty();
+    },
+    [&](Id vertex) { return known(atVertices[part.countedVertex(vertex)]); },
+    [](Id, const PathOrigin& path, Message& answer) { put(answer, path); },
+    [&](std::size_t i, MessageReader& answer) { *asked[i] = answer.get<PathOrigin>(); },
+    MaximumSteps);
   for (auto& [number, path] : elsewhere)
   {
     path = isOpen(path) ? PathOrigin() : path;

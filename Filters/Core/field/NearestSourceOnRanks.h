@@ -22,9 +22,9 @@ using Origins = std::unordered_map<Id, PathOrigin>;
 /// All ranks call this together. In one process there are no such vertices.
 ///
 /// \param field on this rank's part, with arrivals.
-/// \param atVertices for each vertex of the part. Of a vertex counted here: its origin on the
-///        source, if it has one, or, still open, the vertex counted elsewhere that its path comes
-///        from. Open origins are replaced, those of vertices counted elsewhere are set.
+/// \param atVertices the origin of the path to each vertex of the part. For vertices counted here
+///        it is a point of the source, or, still open, a vertex counted elsewhere. Open origins are
+///        replaced, and origins of vertices counted elsewhere are set.
 /// \returns the origins by the vertices' global ids; paths may have none.
 Origins originsElsewhere(const DistanceField& field, std::vector<PathOrigin>& atVertices);
 

@@ -118,6 +118,9 @@ struct FrontContext
 
   Districts districtNumbers;
   VertexStates vertices;
+  /// Whether each face belongs to the source as a whole, so that no window enters it; empty if none
+  /// does.
+  std::vector<std::uint8_t> isCovered;
   std::vector<District> districts;
   CompleteFaces complete;
   Mailboxes mailboxes;

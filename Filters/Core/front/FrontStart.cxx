@@ -68,6 +68,18 @@ void startAroundVertices(FrontContext& front, SourceWindows& sources)
   }
 }
 
+void closeCoveredFaces(FrontContext& front, const std::vector<SourceInFace>& sources)
+{
+  for (const SourceInFace& source : sources)
+  {
+    if (source.isWholeFace)
+    {
+      front.isCovered.resize(front.mesh.numberOfFaces(), 0);
+      front.isCovered[source.face] = 1;
+    }
+  }
+}
+
 void startFaces(FrontContext& front, FrontOnRanks& ranks, const SourceWindows& sources)
 {
   for (const SourceInFace& source : sources.inFaces)
@@ -108,6 +120,8 @@ void sendFirstWindows(FrontContext& front, FrontWorker& worker, std::vector<Leav
 void startFront(
   FrontContext& front, FrontWorker& worker, FrontOnRanks& ranks, SourceWindows& sources)
 {
+  closeCoveredFaces(front, sources.inFaces);
+  closeCoveredFaces(front, sources.inHalo);
   startVertices(front, sources);
   startFaces(front, ranks, sources);
   startAroundVertices(front, sources);

@@ -22,21 +22,26 @@ void PassedWindows::add(Id halfedge, double length, const WindowRange& passed,
   const auto known = this->lists_.find(halfedge);
   if (known != this->lists_.end())
   {
-    pool.assign(known->second, builder.range());
+    pool.assign(known->second.windows, builder.range());
+    ++known->second.lists;
   }
   else if (!builder.windows().empty())
   {
-    this->lists_.emplace(halfedge, pool.copyOf(builder.range()));
+    this->lists_.emplace(halfedge, Passed{ pool.copyOf(builder.range()) });
   }
 }
 
-void PassedWindows::cut(HalfedgeList& come, double length, const std::vector<Window>& bounds,
+void PassedWindows::cut(HalfedgeList& come, double length, const WindowRange& bounds,
   WindowListBuilder& builder, WindowPool& pool)
 {
+  if (bounds.size() == 0)
+  {
+    return;
+  }
   builder.reset(length);
   for (const Window& window : come.windows.range())
   {
-    builder.appendWhereLower(window, { bounds.data(), bounds.data() + bounds.size() });
+    builder.appendWhereLower(window, bounds);
   }
   pool.free(come.windows);
   come.windows = pool.copyOf(builder.range());
@@ -81,14 +86,14 @@ void appendAlongEdge(
 bool PassedWindows::findBounds(Id halfedge, double length, std::vector<Window>& bounds) const
 {
   const auto found = this->lists_.find(halfedge);
-  if (found == this->lists_.end())
+  if (found == this->lists_.end() || found->second.lists < VeryOften)
   {
     return false;
   }
   bounds.clear();
   double from = 0.0;
   double distance = Infinity;
-  for (const Window& w : found->second.range())
+  for (const Window& w : found->second.windows.range())
   {
     appendAlongEdge(from, distance, w.begin, w.distance(w.begin), bounds);
     bounds.push_back(w);
@@ -109,7 +114,7 @@ void PassedWindows::letGo(const std::function<bool(Id)>& isNeeded, WindowPool& p
       ++list;
       continue;
     }
-    pool.free(list->second);
+    pool.free(list->second.windows);
     list = this->lists_.erase(list);
   }
   constexpr std::size_t few = 64;

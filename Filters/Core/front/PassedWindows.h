@@ -6,6 +6,7 @@
 #include "window/WindowPool.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <unordered_map>
 #include <vector>
@@ -24,7 +25,7 @@ public:
   WindowRange at(Id halfedge) const
   {
     const auto found = this->lists_.find(halfedge);
-    return found == this->lists_.end() ? WindowRange() : found->second.range();
+    return found == this->lists_.end() ? WindowRange() : found->second.windows.range();
   }
 
   /// Remembers the windows of a list that goes through its halfedge.
@@ -35,26 +36,26 @@ public:
   void add(Id halfedge, double length, const WindowRange& passed, WindowListBuilder& builder,
     WindowPool& pool, const std::function<bool(Id)>& isNeeded);
 
-  /// Finds bounds of the distance on a halfedge: the windows that are remembered, and between them
-  /// paths that go on along the edge from their ends.
+  /// Finds bounds of the distance on a halfedge through which lists went very often: the windows
+  /// that are remembered, and between them paths that go on along the edge from their ends.
   ///
   /// \param bounds replaced; sorted and without overlaps.
-  /// \returns whether anything is remembered.
+  /// \returns whether so many went through.
   bool findBounds(Id halfedge, double length, std::vector<Window>& bounds) const;
 
   /// Cuts windows that come to a halfedge where bounds of it are lower.
   ///
   /// \param builder is overwritten.
-  static void cut(HalfedgeList& come, double length, const std::vector<Window>& bounds,
+  static void cut(HalfedgeList& come, double length, const WindowRange& bounds,
     WindowListBuilder& builder, WindowPool& pool);
 
   /// Lets others remember the windows instead: of(halfedge).
   template <typename Of>
   void handOver(const Of& of)
   {
-    for (const auto& [halfedge, windows] : this->lists_)
+    for (const auto& [halfedge, passed] : this->lists_)
     {
-      of(halfedge).lists_.emplace(halfedge, windows);
+      of(halfedge).lists_.emplace(halfedge, passed);
     }
     this->lists_.clear();
   }
@@ -64,9 +65,18 @@ private:
   /// the same.
   static constexpr std::size_t Most = 8;
 
+  /// So many lists went through very often.
+  static constexpr std::uint32_t VeryOften = 32;
+
+  struct Passed
+  {
+    WindowBlock windows;
+    std::uint32_t lists = 1;
+  };
+
   void letGo(const std::function<bool(Id)>& isNeeded, WindowPool& pool);
 
-  std::unordered_map<Id, WindowBlock> lists_;
+  std::unordered_map<Id, Passed> lists_;
   std::size_t sizeToLetGo_ = 0;
 };
 

@@ -335,6 +335,10 @@ void sendWindows(
   const Id destination = front.mesh.destination(halfedge);
   for (Id s = front.mesh.nextSibling(halfedge); s != halfedge; s = front.mesh.nextSibling(s))
   {
+    if (!front.isCovered.empty() && front.isCovered[TriangleMesh::faceOf(s)])
+    {
+      continue;
+    }
     worker.look(front.options.job, windows.size());
     const WindowBlock block = worker.pool.copyOf(windows);
     if (front.mesh.origin(s) != destination)

@@ -20,28 +20,35 @@ void mergeInto(
   worker.pool.assign(waiting.windows, worker.merged.range());
 }
 
-// Cuts windows where others have passed through the edge, in any direction, with shorter paths, or
-// where paths along the edge from these are shorter. Through thin faces that meet in a sharp vertex
-// rays may go around it thousands of times, and gain a gap between windows each time. They cross a
-// face twice, which no shortest path does; where such a ray comes, a path along the edge is
-// shorter.
+// Cuts windows where others have passed through the halfedge with shorter paths. Through thin faces
+// that meet in a sharp vertex rays may go around it thousands of times, and gain a gap between
+// windows each time. They cross a face twice, which no shortest path does: where such a ray comes,
+// a path along the edge is shorter. So where lists pass very often, these bounds count, too, from
+// all directions.
 void cutByPassed(FrontContext& front, FrontWorker& worker, HalfedgeList& list)
 {
   const double length = front.mesh.length(list.halfedge);
+  const auto passedOn = [&front](Id halfedge) -> const PassedWindows&
+  { return front.districtOf(front.mesh.opposite(halfedge)).passed; };
+  const auto cut = [&](const WindowRange& bounds)
+  { PassedWindows::cut(list, length, bounds, worker.merged, worker.pool); };
+  cut(passedOn(list.halfedge).at(list.halfedge));
   Id halfedge = list.halfedge;
-  do
+  while (list.windows.size > 0 && passedOn(halfedge).findBounds(halfedge, length, worker.bounds))
   {
-    const PassedWindows& passed = front.districtOf(front.mesh.opposite(halfedge)).passed;
-    if (passed.findBounds(halfedge, length, worker.bounds))
+    Window* const begin = worker.bounds.data();
+    Window* const end = begin + worker.bounds.size();
+    if (front.mesh.origin(halfedge) != front.mesh.origin(list.halfedge))
     {
-      if (front.mesh.origin(halfedge) != front.mesh.origin(list.halfedge))
-      {
-        reverseAll(worker.bounds.data(), worker.bounds.data() + worker.bounds.size(), length);
-      }
-      PassedWindows::cut(list, length, worker.bounds, worker.merged, worker.pool);
+      reverseAll(begin, end, length);
     }
+    cut({ begin, end });
     halfedge = front.mesh.nextSibling(halfedge);
-  } while (halfedge != list.halfedge && list.windows.size > 0);
+    if (halfedge == list.halfedge)
+    {
+      break;
+    }
+  }
 }
 
 // A list waits for the vertex opposite, so that it is complete when it goes through its face. In a

@@ -32,21 +32,20 @@ struct CutTriangles
 
 /// Removes the faces without area of a surface. All ranks call this together.
 ///
-/// A triangle without area conducts along its points and adds nothing else. A needle (two corners
-/// at one place) makes these two one vertex, and its long edges one edge. A cap (a corner on the
-/// edge of the other two) puts this corner onto the edge: the other triangles at the edge are cut
-/// there. The surface stays what it was up to the caps' heights, which are rounding. Edges at one
-/// place that no face joins stay apart: such an edge gets a vertex in its middle if its ends become
-/// those of another edge.
+/// A triangle without area conducts along its points and adds nothing else. In a needle (two
+/// corners at one place) these corners become one vertex, and the long edges become one edge. In a
+/// cap (one corner on the edge between the other two) the middle corner is put onto the edge: the
+/// other triangles at the edge are cut there. The surface stays what it was up to the caps'
+/// heights, which are rounding. Two edges at one place that no face joins stay apart: if they got
+/// the same ends, one of them gets a vertex in its middle.
 ///
 /// A triangle without area conducts by itself if some part of it has no face with area beside it.
 /// Such a triangle remains a face; TriangleMesh gives it a height that changes no length.
 ///
 /// \param points of the vertices. Vertices that cut triangles of this rank are added if it does not
 ///        have them.
-/// \param keys one a vertex, or none in one process, where numbers are the keys: vertices of
-/// several
-///        ranks with equal keys are one.
+/// \param keys of the vertices: vertices of several ranks with equal keys are one. Empty in one
+///        process, where numbers are the keys.
 /// \param firstNewKey keys from here on are free, on all ranks.
 /// \param triangles on the vertices.
 /// \param areFaces which of the triangles are faces of the surface; empty: all. The others conduct

@@ -35,7 +35,7 @@ public:
     return this->tables_ ? this->tables_->owners[face] : RankAddress{ 0, face };
   }
   Id globalId(Id vertex) const { return this->tables_ ? this->tables_->globalIds[vertex] : vertex; }
-  /// A face by its address, and a vertex by its global id; NoId where it is none of these.
+  /// A face by its address, and a vertex by its global id; NoId if the patch does not have it.
   Id faceAt(const RankAddress& face) const;
   Id vertexAt(Id globalId) const;
 

@@ -55,10 +55,10 @@ public:
   ClosestFaces closest(const std::vector<Vec3>& points, const std::vector<std::uint8_t>& isWanted,
     double coordinatePrecision, const Job& job = {});
 
-  /// For each point between two walls, beside the nearer one, the faces that put it onto the
-  /// closest place of the other wall: on faces that look the other way than its closest faces, in
-  /// the other direction, and about as near (tolerance::AboutAsNear). None for other points. As
-  /// closest() otherwise.
+  /// For each point between two walls, the faces closest to the point on the farther wall: faces
+  /// that look the other way than the point's closest faces, lie in the other direction, and are
+  /// about as near (tolerance::AboutAsNear). Points without such a wall have no faces. As closest()
+  /// otherwise.
   ///
   /// \param closest the points' closest faces.
   ClosestFaces opposite(const std::vector<Vec3>& points, const std::vector<std::uint8_t>& isWanted,

@@ -38,6 +38,15 @@ std::vector<SurfacePoint> ownPlaceOf(
 
 } // anonymous namespace
 
+std::vector<double> lowerBoundsOf(std::vector<double> distances, double searchedTo)
+{
+  for (double& distance : distances)
+  {
+    distance = (1.0 - tolerance::BoundMargin) * std::min(distance, searchedTo);
+  }
+  return distances;
+}
+
 Corridor corridorTo(const MeshPartition& part, const ReplicatedPatch& patch,
   const SurfacePoint& goal, const SurfacePoint& start, const Corridor* within, const Job& job)
 {

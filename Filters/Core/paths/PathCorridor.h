@@ -10,6 +10,13 @@
 namespace geodesic
 {
 
+/// Lower bounds of the distances at vertices that a front has found.
+///
+/// \param distances the front's: not below the distance, and right where they are at most
+///        `searchedTo`.
+/// \param searchedTo how far the front has come.
+std::vector<double> lowerBoundsOf(std::vector<double> distances, double searchedTo);
+
 /// Finds the corridor of the shortest paths from a start to a goal. An approximate front from the
 /// goal, which costs a fraction of an exact one, stops at the start. The search itself is an exact
 /// front from the start that does not leave the corridor. All ranks call this together.

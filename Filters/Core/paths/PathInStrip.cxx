@@ -33,18 +33,14 @@ bool isHere(const MeshPartition& part, const TargetOnRank& target)
 
 /// Finds this rank's faces of the strip.
 std::vector<Id> facesOfStrip(const MeshPartition& part, const ReplicatedPatch& patch,
-  const std::vector<SourceCurve>& curves, const TargetOnRank& target, const KnownDistances& known,
-  const Job& job)
+  const std::vector<SourceCurve>& curves, const TargetOnRank& target,
+  const std::vector<double>& toSource, const Job& job)
 {
   const TriangleMesh& mesh = part.mesh();
   const ReplicatedPatch around(
     part, isHere(part, target) ? std::vector<Id>{ target.face.id } : std::vector<Id>());
-  Corridor corridor{ known.atVertices, longestTo(target) };
-  for (double& bound : corridor.lowerBounds)
-  {
-    bound = (1.0 - tolerance::BoundMargin) * std::min(bound, known.upTo);
-  }
-  std::vector<Id> faces = facesInCorridor(part, around, onPatch(around, target), corridor, job);
+  std::vector<Id> faces =
+    facesInCorridor(part, around, onPatch(around, target), { toSource, longestTo(target) }, job);
   const auto addOwn = [&](Id face)
   {
     if (face != NoId && part.isOwn(face))
@@ -110,11 +106,11 @@ Corridor corridorIn(const ReplicatedPatch& strip, const TargetOnRank& target)
 
 } // anonymous namespace
 
-std::optional<GatheredPath> pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
-  const std::vector<SourceCurve>& curves, const TargetOnRank& target, const KnownDistances& known,
-  const Job& job)
+std::optional<PathToSource> pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
+  const std::vector<SourceCurve>& curves, const TargetOnRank& target,
+  const std::vector<double>& toSource, const Job& job)
 {
-  const ReplicatedPatch strip(part, facesOfStrip(part, patch, curves, target, known, job));
+  const ReplicatedPatch strip(part, facesOfStrip(part, patch, curves, target, toSource, job));
   if (!isHere(part, target))
   {
     return std::nullopt;
@@ -127,23 +123,19 @@ std::optional<GatheredPath> pathInStrip(const MeshPartition& part, const Replica
   options.keepAngles = true;
   const std::vector<SourceCurve> onStrip = curvesOnStrip(strip, patch, curves);
   const DistanceField field = solve(strip.mesh(), onStrip, options, KeepWindows::All);
-  GatheredPath path = { target.number, false, strip, pathInWindows(field, onPatch(strip, target)),
-    target.distance, {} };
-  path.isLost = path.points.empty();
-  if (!path.isLost)
+  const std::vector<SurfacePoint> points = pathInWindows(field, onPatch(strip, target));
+  PathToSource path;
+  path.target = target.number;
+  path.wasLost = true;
+  path.gathered = strip;
+  path.points = cleanedPath(strip.mesh(), points, target.distance);
+  if (!points.empty())
   {
     NearestSource nearest(field, ReplicatedPatch(strip.mesh()), onStrip);
-    const SurfacePoint& last = path.points[path.points.size() > 1 ? path.points.size() - 2 : 0];
+    const SurfacePoint& last = points[points.size() > 1 ? points.size() - 2 : 0];
     path.end = endAt(nearest.of(incomingSegmentTo(field, last)), nearest, onStrip, target.distance);
   }
   return path;
-}
-
-PathToSource toSource(const GatheredPath& path)
-{
-  const TriangleMesh& mesh = path.faces.mesh();
-  return { mesh, cleanedPath(mesh, path.points, path.length),
-    [&path](Id face) { return path.faces.ownerOf(face); }, path.end };
 }
 
 }

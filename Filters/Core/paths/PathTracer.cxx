@@ -363,7 +363,7 @@ private:
     {
       const Id frame = longestHalfedge(this->mesh, face);
       this->path.piece = last;
-      this->path.piece.ray = { frame, false, 0.0, wayInFrame(this->mesh, frame, end, from) };
+      this->path.piece.ray = { frame, wayInFrame(this->mesh, frame, end, from) };
     }
   }
 };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paths/PathsOnRanks.h"
 
+#include "paths/PathInWindows.h"
 #include "paths/ShortestWay.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace geodesic
@@ -34,101 +34,143 @@ TargetOnRank onOwnFace(
 
 void PathsOnRanks::add(Id target, TracedPath path)
 {
-  InTransit& transit = this->leaving_.emplace_back();
-  transit.targetRank = this->part_.exchange().rank();
-  transit.target = target;
-  transit.path = std::move(path);
-  this->follow(transit);
+  this->addFollowed(path, 0, this->paths_.emplace_back(OwnPath{ target }));
 }
 
-std::vector<GatheredPath> PathsOnRanks::handOver()
+void PathsOnRanks::follow(const TakePath& take)
 {
-  Exchange& exchange = this->part_.exchange();
-  std::vector<Message> messages = exchange.noMessages();
-  for (const InTransit& transit : this->leaving_)
+  followOnRanks<SentPath>(
+    this->part_.exchange(), this->job_,
+    [this](Questions& questions) { return this->ask(questions); },
+    [this](const SentPath& sent) { return this->step(sent); },
+    [this](const SentPath& sent, TracedPath& followed, Message& answer)
+    { this->tell(sent, followed, answer); },
+    [&](std::size_t i, MessageReader& answer) { this->hear(this->paths_[i], answer, take); });
+  this->paths_.clear();
+}
+
+bool PathsOnRanks::ask(Questions& questions)
+{
+  this->job_.look();
+  bool isAnyOpen = false;
+  for (std::size_t i = 0; i < this->paths_.size(); ++i)
   {
-    this->putReport(transit, messages[rankIndex(transit.targetRank)]);
-    if (transit.path.isOnItsWay())
+    for (const int rank : this->paths_[i].ranks)
     {
-      Message& next = messages[rankIndex(transit.rank)];
-      put(next, false);
-      this->putInTransit(transit, next);
+      questions.ask(rank, i, this->paths_[i].sent);
+      isAnyOpen = true;
     }
   }
-  this->leaving_.clear();
-  std::vector<GatheredPath> arrived;
-  readEach(exchange.step(std::move(messages)),
-    [&](int, MessageReader& reader)
-    {
-      const bool isReport = reader.get<bool>();
-      if (isReport)
-      {
-        this->takeReport(reader, arrived);
-      }
-      else
-      {
-        this->leaving_.push_back(this->getInTransit(reader));
-      }
-    });
-  this->job_.tasks(
-    this->leaving_.size(), [this](std::size_t i) { this->follow(this->leaving_[i]); });
-  return arrived;
+  return isAnyOpen;
 }
 
-void PathsOnRanks::follow(InTransit& transit) const
+// The path has one point, the last one.
+TracedPath PathsOnRanks::step(const SentPath& sent) const
 {
-  do
+  TracedPath path;
+  static_cast<PathState&>(path) = sent.state;
+  const Id face = this->part_.faceAt(sent.face);
+  path.faces = { face };
+  path.points = { fromFacePoint(this->part_.mesh(), face, sent.last) };
+  path.exit = TriangleMesh::inCopy(path.exit, face);
+  path.without = sent.without.rank < 0 ? NoId : this->part_.faceAt(sent.without);
+  if (sent.request == Request::FollowShortest)
   {
-    const Id elsewhere = followPath(this->field_, transit.path);
-    if (elsewhere != NoId)
+    continueOnThisRank(this->field_, path);
+  }
+  if (sent.request != Request::Measure)
+  {
+    followPath(this->field_, path);
+  }
+  return path;
+}
+
+void PathsOnRanks::tell(const SentPath& sent, TracedPath& followed, Message& answer)
+{
+  if (sent.request == Request::Measure)
+  {
+    put(answer, this->part_.exchange().rank());
+    put(answer, shortestWayTo(this->field_, followed.points.back(), followed.without).distance);
+    return;
+  }
+  OwnPath path;
+  this->addFollowed(followed, 1, path); // the first point came with the question
+  put(answer, path.sent);
+  put(answer, path.end);
+  putAll(answer, path.ranks);
+  putAll(answer, path.points);
+}
+
+void PathsOnRanks::hear(OwnPath& path, MessageReader& answer, const TakePath& take)
+{
+  if (path.sent.request == Request::Measure)
+  {
+    const int rank = answer.get<int>();
+    path.measured.push_back({ answer.get<double>(), rank });
+    if (path.measured.size() < path.ranks.size())
     {
-      const bool isAtExit = transit.path.next == Next::BehindExit;
-      transit.rank = this->part_.ownerOf(elsewhere).rank;
-      transit.face = isAtExit ? TriangleMesh::faceOf(transit.path.exit) : elsewhere;
       return;
     }
-  } while (transit.path.isOnItsWay() && this->searchAround(transit));
-}
-
-// Asks the ranks around the last point, each of which has all faces there, one after another.
-// Then goes on where the path is shortest. Returns whether that is here.
-bool PathsOnRanks::searchAround(InTransit& transit) const
-{
-  const int self = this->part_.exchange().rank();
-  if (transit.toAsk.empty() && transit.shortest == Infinity)
-  {
-    transit.toAsk = this->ranksToAsk(transit.path);
-  }
-  const auto own = std::find(transit.toAsk.begin(), transit.toAsk.end(), self);
-  if (own != transit.toAsk.end())
-  {
-    transit.toAsk.erase(own);
-    const double length =
-      shortestWayTo(this->field_, transit.path.points.back(), transit.path.without).distance;
-    if (std::tie(length, self) < std::tie(transit.shortest, transit.rankOfShortest))
+    const auto [length, shortest] = *std::min_element(path.measured.begin(), path.measured.end());
+    path.measured.clear();
+    path.sent.request = Request::FollowShortest;
+    path.ranks = { shortest };
+    if (length == Infinity)
     {
-      transit.shortest = length;
-      transit.rankOfShortest = self;
+      path.sent.state.next = Next::Lost; // the windows that it comes through were not kept
     }
   }
-  if (transit.toAsk.empty() && transit.shortest == Infinity)
+  else
   {
-    transit.path.next = Next::Lost; // the windows that it comes through were not kept
-    return false;
+    path.sent = answer.get<SentPath>();
+    path.end = answer.get<PathEnd>();
+    path.ranks = answer.getAll<int>();
+    const auto points = answer.getAll<SentPoint>();
+    path.points.insert(path.points.end(), points.begin(), points.end());
   }
-  transit.rank = transit.toAsk.empty() ? transit.rankOfShortest : transit.toAsk.front();
-  if (transit.rank != self)
+  if (!path.sent.state.isOnItsWay())
   {
-    transit.face = someFace(this->part_.mesh(), transit.path.points.back());
-    return false;
+    take(this->found(path));
+    path = OwnPath();
   }
-  transit.shortest = Infinity;
-  continueOnThisRank(this->field_, transit.path);
-  return true;
 }
 
-// The ranks that own faces around the last point, each once.
-std::vector<int> PathsOnRanks::ranksToAsk(const TracedPath& path) const
+// Adds what followPath() has found, and who is asked next.
+void PathsOnRanks::addFollowed(TracedPath& traced, std::size_t firstPoint, OwnPath& path)
+{
+  const TriangleMesh& mesh = this->part_.mesh();
+  const Id elsewhere = followPath(this->field_, traced);
+  for (std::size_t i = firstPoint; i < traced.points.size(); ++i)
+  {
+    const Id face = traced.faces[i];
+    path.points.push_back(
+      { this->part_.sentFace(face), toFacePoint(mesh, face, traced.points[i]) });
+  }
+  path.sent.state = traced;
+  if (traced.next == Next::End)
+  {
+    path.end = endAt(this->feet_.footOf(this->feet_.originOf(traced.piece)), this->feet_,
+      this->curves_, traced.whole);
+  }
+  if (!traced.isOnItsWay())
+  {
+    return;
+  }
+  const bool leaves = elsewhere != NoId;
+  path.sent.request = leaves ? Request::Follow : Request::Measure;
+  path.ranks =
+    leaves ? std::vector<int>{ this->part_.ownerOf(elsewhere).rank } : this->ranksAround(traced);
+  const Id face = !leaves             ? someFace(mesh, traced.points.back())
+    : traced.next == Next::BehindExit ? TriangleMesh::faceOf(traced.exit)
+                                      : elsewhere;
+  path.sent.face = this->part_.addressOf(face);
+  path.sent.last = toFacePoint(mesh, face, traced.points.back());
+  path.sent.without =
+    traced.without == NoId ? RankAddress{ -1, NoId } : this->part_.addressOf(traced.without);
+}
+
+// The ranks that own faces around the last point, each of which has all faces there.
+std::vector<int> PathsOnRanks::ranksAround(const TracedPath& path) const
 {
   std::vector<int> ranks;
   forEachFace(this->part_.mesh(), path.points.back(),
@@ -144,90 +186,28 @@ std::vector<int> PathsOnRanks::ranksToAsk(const TracedPath& path) const
   return ranks;
 }
 
-void PathsOnRanks::putInTransit(const InTransit& transit, Message& message) const
+PathToSource PathsOnRanks::found(const OwnPath& path) const
 {
-  const TracedPath& path = transit.path;
-  put(message, transit.targetRank);
-  put(message, transit.target);
-  put(message, this->part_.addressOf(transit.face));
-  put(message, toFacePoint(this->part_.mesh(), transit.face, path.points.back()));
-  put(message, static_cast<const PathState&>(path));
-  put(
-    message, path.without == NoId ? RankAddress{ -1, NoId } : this->part_.addressOf(path.without));
-  putAll(message, transit.toAsk);
-  put(message, transit.shortest);
-  put(message, transit.rankOfShortest);
-}
-
-// The path has one point, the last one.
-PathsOnRanks::InTransit PathsOnRanks::getInTransit(MessageReader& reader) const
-{
-  InTransit transit;
-  TracedPath& path = transit.path;
-  transit.targetRank = reader.get<int>();
-  transit.target = reader.get<Id>();
-  const Id face = this->part_.faceAt(reader.get<RankAddress>());
-  path.faces = { face };
-  path.points = { fromFacePoint(this->part_.mesh(), face, reader.get<FacePoint>()) };
-  transit.sent = 1;
-  static_cast<PathState&>(path) = reader.get<PathState>();
-  path.exit = TriangleMesh::inCopy(path.exit, face);
-  const auto without = reader.get<RankAddress>();
-  path.without = without.rank < 0 ? NoId : this->part_.faceAt(without);
-  transit.toAsk = reader.getAll<int>();
-  transit.shortest = reader.get<double>();
-  transit.rankOfShortest = reader.get<int>();
-  return transit;
-}
-
-// What this rank has found of a path.
-void PathsOnRanks::putReport(const InTransit& transit, Message& message)
-{
-  const TracedPath& path = transit.path;
-  put(message, true);
-  put(message, transit.target);
-  put(message, path.next);
-  std::vector<SentPoint> points;
-  for (std::size_t i = transit.sent; i < path.points.size(); ++i)
+  PathToSource result;
+  result.target = path.target;
+  if (path.sent.state.next == Next::End)
   {
-    const Id face = path.faces[i];
-    points.push_back(
-      { this->part_.sentFace(face), toFacePoint(this->part_.mesh(), face, path.points[i]) });
+    std::vector<SentFace> faces;
+    for (const SentPoint& point : path.points)
+    {
+      faces.push_back(point.face);
+    }
+    const GatheredFaces gathered(std::move(faces));
+    for (const SentPoint& p : path.points)
+    {
+      result.points.push_back(
+        fromFacePoint(gathered.mesh(), gathered.faceAt(p.face.owner), p.point));
+    }
+    result.points = cleanedPath(gathered.mesh(), result.points, path.sent.state.whole);
+    result.end = path.end;
+    result.gathered = gathered;
   }
-  putAll(message, points);
-  put(message, path.whole);
-  const Foot foot =
-    path.next == Next::End ? this->feet_.footOf(this->feet_.originOf(path.piece)) : Foot();
-  put(message, endAt(foot, this->feet_, this->curves_, path.whole));
-}
-
-void PathsOnRanks::takeReport(MessageReader& reader, std::vector<GatheredPath>& arrived)
-{
-  const Id target = reader.get<Id>();
-  const auto next = reader.get<Next>();
-  const auto points = reader.getAll<SentPoint>();
-  const auto whole = reader.get<double>();
-  const auto end = reader.get<PathEnd>();
-  std::vector<SentPoint>& found = this->found_[target];
-  found.insert(found.end(), points.begin(), points.end());
-  if (next != Next::End && next != Next::Lost)
-  {
-    return;
-  }
-  std::vector<SentFace> sent;
-  for (const SentPoint& p : found)
-  {
-    sent.push_back(p.face);
-  }
-  GatheredPath path = { target, next == Next::Lost, GatheredFaces(std::move(sent)), {}, whole,
-    end };
-  for (const SentPoint& p : found)
-  {
-    path.points.push_back(
-      fromFacePoint(path.faces.mesh(), path.faces.faceAt(p.face.owner), p.point));
-  }
-  arrived.push_back(std::move(path));
-  this->found_.erase(target);
+  return result;
 }
 
 std::vector<TargetOnRank> gatherTargets(const DistanceField& field,

@@ -2,11 +2,13 @@
 #ifndef geodesic_PathsOnRanks_h
 #define geodesic_PathsOnRanks_h
 
+#include "FollowOnRanks.h"
 #include "mesh/ReplicatedPatch.h"
 #include "paths/PathInStrip.h"
 #include "paths/PathTracer.h"
 
-#include <map>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -14,10 +16,10 @@ namespace geodesic
 
 /// Follows paths that leave their target's rank. In one process none does.
 ///
-/// At a seam a path is handed over to the rank that owns the next face. The rank of its target gets
-/// the points that each rank has found. A point on an edge of three and more faces may lie on a
-/// seam; then the ranks that own these faces are asked one after another, and the path goes on
-/// where it is shortest.
+/// At a seam the target's rank asks the rank that owns the next face to follow the path; the answer
+/// contains the points that this rank has found. A point on an edge of three and more faces may lie
+/// on a seam; then the ranks that own these faces are asked how long the path through them is, and
+/// the path goes on where it is shortest.
 class PathsOnRanks
 {
 public:
@@ -36,60 +38,67 @@ public:
   /// Takes over a path that followPath() has followed as far as it goes through this rank's faces.
   void add(Id target, TracedPath path);
 
-  /// Whether a path is on its way on any rank. All ranks call this together.
-  bool isAnyOnItsWay() const
-  {
-    return this->part_.exchange().isTrueAnywhere(!this->leaving_.empty());
-  }
-  /// Hands each path over to the next rank, which follows it. All ranks call this together.
+  /// Follows the paths of all ranks to their ends. All ranks call this together.
   ///
-  /// \returns the paths of this rank's targets that have come to their ends or got lost.
-  std::vector<GatheredPath> handOver();
+  /// \param take gets the paths of this rank's targets; those that got lost have no points.
+  void follow(const TakePath& take);
 
 private:
+  /// What a rank is asked to do with a path.
+  enum class Request : std::uint8_t
+  {
+    /// Follow the path.
+    Follow,
+    /// Tell the length of the shortest way to the last point through the own faces.
+    Measure,
+    /// Follow the path through these.
+    FollowShortest
+  };
+  /// A path as one rank sends it to another.
+  struct SentPath
+  {
+    Request request = Request::Follow;
+    PathState state = {};
+    /// A face of both ranks that holds the last point and, if the path goes on behind an exit, the
+    /// exit.
+    RankAddress face = {};
+    FacePoint last = {};
+    /// TracedPath::without; its rank is -1 if there is none.
+    RankAddress without = {};
+  };
   /// A point of a path, and a face that holds it and the point before.
   struct SentPoint
   {
     SentFace face;
     FacePoint point;
   };
-  /// A path on its way over ranks.
-  struct InTransit
+  /// A path of one of this rank's targets.
+  struct OwnPath
   {
-    /// The rank that asks for it, and which of that rank's targets it begins at.
-    int targetRank = 0;
-    Id target = 0;
-    TracedPath path;
-    /// How many of the points at hand have been sent to the target's rank.
-    std::size_t sent = 0;
-    /// While the path searches around an edge: the ranks that were not yet asked, and of those that
-    /// were the one through whose faces the path is shortest, the lowest of several.
-    std::vector<int> toAsk;
-    double shortest = Infinity;
-    int rankOfShortest = 0;
-    /// On its way: the rank that it goes to, and a face of both ranks that holds its last point
-    /// and, if it goes on behind an exit, the exit.
-    int rank = 0;
-    Id face = NoId;
+    Id target = NoId;
+    SentPath sent = {};
+    /// The ranks that are asked next, ascending.
+    std::vector<int> ranks = {};
+    std::vector<SentPoint> points = {};
+    PathEnd end = {};
+    /// The lengths that ranks have measured, with these ranks.
+    std::vector<std::pair<double, int>> measured = {};
   };
 
-  void follow(InTransit& transit) const;
-  bool searchAround(InTransit& transit) const;
-  std::vector<int> ranksToAsk(const TracedPath& path) const;
-  void putInTransit(const InTransit& transit, Message& message) const;
-  InTransit getInTransit(MessageReader& reader) const;
-  void putReport(const InTransit& transit, Message& message);
-  void takeReport(MessageReader& reader, std::vector<GatheredPath>& arrived);
+  bool ask(Questions& questions);
+  TracedPath step(const SentPath& sent) const;
+  void tell(const SentPath& sent, TracedPath& path, Message& answer);
+  void hear(OwnPath& path, MessageReader& answer, const TakePath& take);
+  void addFollowed(TracedPath& traced, std::size_t firstPoint, OwnPath& path);
+  std::vector<int> ranksAround(const TracedPath& path) const;
+  PathToSource found(const OwnPath& path) const;
 
   const DistanceField& field_;
   const MeshPartition& part_;
   FootFinder& feet_;
   const std::vector<SourceCurve>& curves_;
   const Job& job_;
-  /// Those that go on from this rank, or whose ends it sends to their targets' ranks.
-  std::vector<InTransit> leaving_;
-  /// For targets of this rank, the points found so far.
-  std::map<Id, std::vector<SentPoint>> found_;
+  std::vector<OwnPath> paths_;
 };
 
 /// The targets of all ranks with some numbers, in one order on all ranks. All ranks call this

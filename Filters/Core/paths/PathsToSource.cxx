@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "field/RetentionAround.h"
+#include "paths/PathCorridor.h"
 #include "paths/PathInStrip.h"
 #include "paths/PathInWindows.h"
 #include "paths/PathTracer.h"
@@ -47,14 +48,8 @@ public:
   void run()
   {
     this->traceOwn();
-    while (this->onRanks_.isAnyOnItsWay())
-    {
-      this->job_.reach(TracingDone);
-      for (const GatheredPath& path : this->onRanks_.handOver())
-      {
-        path.isLost ? this->lost_.push_back(path.target) : this->take_(path.target, toSource(path));
-      }
-    }
+    this->onRanks_.follow([this](const PathToSource& path)
+      { path.points.empty() ? this->lost_.push_back(path.target) : this->take_(path); });
     std::sort(this->lost_.begin(), this->lost_.end());
   }
 
@@ -102,11 +97,10 @@ private:
     }
     else if (!path.points.empty())
     {
-      this->take_(target,
-        { this->field_.mesh(), std::move(path.points),
-          [this](Id face) { return this->field_.surface().addressOf(face); },
-          endAt(this->feet_.footOf(this->feet_.originOf(path.piece)), this->feet_, this->curves_,
-            path.whole) });
+      this->take_({ target, std::move(path.points),
+        endAt(this->feet_.footOf(this->feet_.originOf(path.piece)), this->feet_, this->curves_,
+          path.whole),
+        &this->field_.surface() });
     }
   }
 
@@ -149,26 +143,24 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
   PathFinder paths(field, patch, curves, targets, job, take);
   paths.run();
 
-  const KnownDistances known{ field.vertexDistances(),
-    part.exchange().largestOf(retention.neededDistance()) };
+  const double searchedTo = part.exchange().largestOf(retention.neededDistance());
+  const std::vector<double> toSource = lowerBoundsOf(field.vertexDistances(), searchedTo);
   const std::vector<TargetOnRank> lost = gatherTargets(field, targets, paths.lost());
   for (std::size_t i = 0; i < lost.size(); ++i)
   {
     const double done = static_cast<double>(i) / static_cast<double>(lost.size());
     const double fraction = TracingDone + (1.0 - TracingDone) * done;
     job.reach(fraction);
-    const std::optional<GatheredPath> found =
-      pathInStrip(part, patch, curves, lost[i], known, job.part(fraction, fraction));
-    if (found && found->isLost)
+    const std::optional<PathToSource> found =
+      pathInStrip(part, patch, curves, lost[i], toSource, job.part(fraction, fraction));
+    if (found && found->points.empty())
     {
       throw Error("The shortest path from target " + std::to_string(found->target) +
         " could not be followed. Please report this with the surface, the source and the targets.");
     }
     if (found)
     {
-      PathToSource path = toSource(*found);
-      path.wasLost = true;
-      take(found->target, path);
+      take(*found);
     }
   }
 }

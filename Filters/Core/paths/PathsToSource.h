@@ -9,6 +9,7 @@
 #include "source/SourceCurve.h"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace geodesic
@@ -29,29 +30,37 @@ struct PathEnd
 /// A shortest path from a target to the source.
 struct PathToSource
 {
-  /// The mesh that the points lie on: the partition's, or one of the faces that the path goes
-  /// through where these belong to several ranks. Temporary.
-  const TriangleMesh& mesh;
+  /// Which of its rank's targets the path begins at.
+  Id target = NoId;
   /// The target, a point on every edge that the path crosses, the vertices that it passes, its end
   /// on the source; twice the target where that is on the source. Consecutive points have a face in
   /// common.
-  std::vector<SurfacePoint> points;
-  /// The address of a face of the mesh.
-  std::function<RankAddress(Id)> addressOf;
-  PathEnd end;
+  std::vector<SurfacePoint> points = {};
+  PathEnd end = {};
+  /// Must outlive the path.
+  const MeshPartition* part = nullptr;
+  /// The faces that the path goes through, if they were gathered from several ranks; if not, the
+  /// points lie on the part.
+  std::optional<GatheredFaces> gathered = {};
   /// Whether tracing lost the path, so that windows had to find it again, which takes much longer.
   bool wasLost = false;
 
+  /// The mesh that the points lie on.
+  const TriangleMesh& mesh() const
+  {
+    return this->gathered ? this->gathered->mesh() : this->part->mesh();
+  }
   /// A face that holds a point and the next one; any of those that do.
   RankAddress faceAfter(std::size_t point) const
   {
-    return this->addressOf(commonFace(this->mesh, this->points[point], this->points[point + 1]));
+    const Id face = commonFace(this->mesh(), this->points[point], this->points[point + 1]);
+    return this->gathered ? this->gathered->ownerOf(face) : this->part->addressOf(face);
   }
 };
 
 /// Takes over the path of a target. Paths come one after another, in no order. Targets that are not
 /// reached have none.
-using TakePath = std::function<void(std::size_t target, const PathToSource& path)>;
+using TakePath = std::function<void(const PathToSource& path)>;
 
 /// The end of a path at a foot.
 ///
@@ -65,10 +74,9 @@ PathEnd endAt(
 ///
 /// One front goes from the source until the targets of all ranks are settled; it keeps windows only
 /// around the targets. Each rank then traces the paths of its targets backwards through the faces
-/// that it owns, by the directions in which paths came to vertices (followPath()). A path that
-/// comes to another rank's face is handed over, and the target's rank is sent the points found so
-/// far. Where a path runs so close to vertices that rounding leads it astray, pathInStrip() finds
-/// it again.
+/// that it owns, by the directions in which paths came to vertices (followPath()). If a path comes
+/// to another rank's face, that rank is asked for the next part (PathsOnRanks). Where a path runs
+/// so close to vertices that rounding leads it astray, pathInStrip() finds it again.
 ///
 /// All ranks call this together.
 ///

@@ -32,11 +32,10 @@ struct RefinementOptions
   /// the caller will close against the edge's splits; edges without such triangles have no entry.
   /// The closed triangles count for maximumFaces.
   std::unordered_map<Id, Id> trianglesBeside;
-  /// The region in which a point of the surface lies (SourceRegions); empty: there are no regions.
-  /// A triangle with corners in several regions is split until its edges are no longer than the
-  /// tolerance, unless these are the two sides of one curve, and a straight line between them may
-  /// cross the curve. Called from one thread.
-  RegionOf regionOf;
+  /// Null: there are no regions. A triangle with corners in several regions is split until its
+  /// edges are no longer than the tolerance, unless these are the two sides of one curve, and a
+  /// straight line between them may cross the curve. Asked by one thread.
+  SourceRegions* regions = nullptr;
   /// The result does not depend on its threads.
   Job job;
 };

@@ -12,7 +12,7 @@ Id CutEdges::ensure(Id halfedge)
   const auto [found, isNew] = this->numbers_.emplace(name, this->size());
   if (isNew)
   {
-    this->edges_.push_back({ name, this->mesh_.length(name), {}, {} });
+    this->edges_.push_back({ name, this->mesh_.length(name), {}, { Deviation::unknown() } });
   }
   return found->second;
 }
@@ -61,22 +61,19 @@ Id CutEdges::pieceFrom(Id edge, double at) const
   return static_cast<Id>(behind - points.begin());
 }
 
-void CutEdges::split(Id edge, Id piece, double weight, double distance, bool isForShape)
+void CutEdges::split(Id edge, const EdgeSplit& split)
 {
   CutEdge& e = this->edges_[edge];
-  const double from = this->placeOfEnd(edge, piece);
-  const double to = this->placeOfEnd(edge, piece + 1);
+  const double from = this->placeOfEnd(edge, split.piece);
+  const double to = this->placeOfEnd(edge, split.piece + 1);
   const Id number = this->mesh_.numberOfVertices() + static_cast<Id>(this->points_.size());
-  this->points_.push_back({ edge, from + weight * (to - from), distance,
-    { this->endOfPiece(edge, piece), this->endOfPiece(edge, piece + 1) }, weight, isForShape });
-  e.points.insert(e.points.begin() + static_cast<std::ptrdiff_t>(piece), number);
-  if (e.pieces.empty())
-  {
-    e.pieces.assign(e.numberOfPieces(), Deviation::unknown());
-    return;
-  }
-  e.pieces[piece] = Deviation::unknown();
-  e.pieces.insert(e.pieces.begin() + static_cast<std::ptrdiff_t>(piece), Deviation::unknown());
+  this->points_.push_back({ edge, from + split.weight * (to - from), split.distance,
+    { this->endOfPiece(edge, split.piece), this->endOfPiece(edge, split.piece + 1) }, split.weight,
+    split.isForShape });
+  const auto piece = static_cast<std::ptrdiff_t>(split.piece);
+  e.points.insert(e.points.begin() + piece, number);
+  e.pieces[split.piece] = Deviation::unknown();
+  e.pieces.insert(e.pieces.begin() + piece, Deviation::unknown());
 }
 
 }

@@ -37,10 +37,21 @@ struct CutEdge
   /// The numbers of its points, in their order along it.
   std::vector<Id> points;
   /// How far the distance along each piece between neighbouring points deviates from linear: one
-  /// more than points. Empty until some have been measured.
+  /// more than points.
   std::vector<Deviation> pieces;
 
   Id numberOfPieces() const { return static_cast<Id>(this->points.size()) + 1; }
+};
+
+/// A point to be put on a piece of an edge.
+struct EdgeSplit
+{
+  Id piece;
+  /// Whether shapes alone ask for it.
+  bool isForShape;
+  /// The fraction of the way along the piece, inside of it.
+  double weight;
+  double distance;
 };
 
 /// The edges of the faces that are refined, and the points on them.
@@ -82,10 +93,8 @@ public:
   /// The piece that begins at a point, or at the edge's begin.
   Id pieceFrom(Id edge, double at) const;
 
-  /// Puts a point on a piece; the deviations of both parts are not known then.
-  ///
-  /// \param weight the fraction of the way along the piece, inside of it.
-  void split(Id edge, Id piece, double weight, double distance, bool isForShape);
+  /// The deviations of both parts of the piece are not known then.
+  void split(Id edge, const EdgeSplit& split);
 
 private:
   const TriangleMesh& mesh_;

@@ -113,13 +113,6 @@ inline Deviation largestDeviation(
   return deviation;
 }
 
-/// The same for the whole segment.
-inline Deviation largestDeviation(
-  const std::vector<Window>& envelope, double length, double atBegin, double atEnd)
-{
-  return largestDeviation(envelope, 0.0, length, atBegin, atEnd);
-}
-
 /// Where to split an edge whose largest deviation is at the fraction t: the table of section 6.2.
 inline double splitPosition(double t)
 {

@@ -21,10 +21,10 @@ template <typename Visit>
 void EdgeSplitter::forEachFaceToMeasure(Id edge, const Visit& visit)
 {
   bool isDone = false;
-  forEachFace(this->field_.mesh(), SurfacePoint::onEdge(this->edges_[edge].halfedge, 0.5),
+  forEachFace(this->faces_.field.mesh(), SurfacePoint::onEdge(this->edges_[edge].halfedge, 0.5),
     [&](Id face)
     {
-      if (!isDone && this->isFrozen_[face] == 0)
+      if (!isDone && !this->faces_.isFrozen(face))
       {
         this->face_.enter(face);
         visit(std::as_const(this->face_));
@@ -39,7 +39,7 @@ const DistanceAlongEdge& EdgeSplitter::along(Id edge)
   {
     this->edge_ = edge;
     this->along_ = {};
-    const TriangleMesh& mesh = this->field_.mesh();
+    const TriangleMesh& mesh = this->faces_.field.mesh();
     const Id halfedge = this->edges_[edge].halfedge;
     this->forEachFaceToMeasure(edge,
       [&](const FaceDistance& face)
@@ -57,7 +57,7 @@ const DistanceAlongEdge& EdgeSplitter::along(Id edge)
 double EdgeSplitter::distanceAtEnd(Id edge, Id end) const
 {
   return this->edges_.distanceOf(
-    this->edges_.endOfPiece(edge, end), this->field_.vertexDistances());
+    this->edges_.endOfPiece(edge, end), this->faces_.field.vertexDistances());
 }
 
 double EdgeSplitter::distanceAt(Id edge, double at)
@@ -67,8 +67,8 @@ double EdgeSplitter::distanceAt(Id edge, double at)
   this->forEachFaceToMeasure(edge,
     [&](const FaceDistance& face)
     {
-      least = std::min(
-        least, face.distance(face.inPlane(barycentric(this->field_.mesh(), place, face.face()))));
+      least = std::min(least,
+        face.distance(face.inPlane(barycentric(this->faces_.field.mesh(), place, face.face()))));
     });
   return least;
 }
@@ -77,7 +77,7 @@ Deviation EdgeSplitter::deviation(
   Id edge, double from, double to, const std::array<double, 2>& ends)
 {
   const double length = this->edges_[edge].length;
-  const bool isExact = this->field_.relativeErrorBound() == 0.0;
+  const bool isExact = this->faces_.field.relativeErrorBound() == 0.0;
   return this->along(edge).deviation(from * length, to * length, isExact ? &ends : nullptr);
 }
 
@@ -85,7 +85,6 @@ std::vector<Deviation> EdgeSplitter::measure(Id edge)
 {
   const CutEdge& e = this->edges_[edge];
   std::vector<Deviation> pieces = e.pieces;
-  pieces.resize(e.numberOfPieces(), Deviation::unknown());
   for (Id piece = 0; piece < e.numberOfPieces(); ++piece)
   {
     if (!pieces[piece].isKnown())
@@ -105,7 +104,7 @@ EdgeCuts EdgeSplitter::fewestCuts(Id edge)
   const CutEdge& e = this->edges_[edge];
   const std::array<double, 2> ends = { this->distanceAtEnd(edge, 0), this->distanceAtEnd(edge, 1) };
   const double merged =
-    this->field_.relativeErrorBound() > 0.0 ? maximumMergedFor(this->tolerance_) : 0.0;
+    this->faces_.field.relativeErrorBound() > 0.0 ? maximumMergedFor(this->tolerance_) : 0.0;
   const double rounding = tolerance::FaceRounding * std::max(ends[0], ends[1]);
   const double limit = std::max(this->tolerance_ - merged - rounding, 0.5 * this->tolerance_);
   if (!(this->along(edge).deviation(0.0, e.length, nullptr).largest() > limit))

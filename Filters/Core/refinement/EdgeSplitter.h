@@ -4,24 +4,14 @@
 
 #include "field/FaceDistance.h"
 #include "field/SegmentEnvelope.h"
-#include "refinement/CutEdges.h"
 #include "refinement/DistanceAlongEdge.h"
+#include "refinement/RefinedFaces.h"
 
-#include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace geodesic
 {
-
-/// Where a piece of an edge is split, as CutEdges::split() takes it.
-struct EdgeSplit
-{
-  Id piece;
-  bool isForShape;
-  double weight;
-  double distance;
-};
 
 /// How an edge is cut: its splits, one after another, and the deviations of the pieces in the end.
 struct EdgeCuts
@@ -30,24 +20,20 @@ struct EdgeCuts
   std::vector<Deviation> pieces;
 };
 
-/// Measures edges in the faces around them that are refined: in an exact field in the first of
-/// them, as one face determines the whole distance along its edge. In an approximate field faces
-/// may differ: the largest deviation counts, and a point has the least distance.
+/// Measures the distance along edges. In an exact field the first refined face at an edge suffices,
+/// as one face determines the whole distance along its edge. In an approximate field the refined
+/// faces there may differ: the largest deviation counts, and a point has the least distance.
 ///
 /// One object serves one edge after another and reuses its memory. Edges do not change meanwhile.
 class EdgeSplitter
 {
 public:
-  /// All arguments must outlive this.
-  ///
-  /// \param isFrozen for each face, whether it is not refined.
-  EdgeSplitter(const DistanceField& field, const CutEdges& edges,
-    const std::vector<std::uint8_t>& isFrozen, double tolerance)
-    : field_(field)
-    , edges_(edges)
-    , isFrozen_(isFrozen)
+  /// \param faces must outlive this.
+  EdgeSplitter(const RefinedFaces& faces, double tolerance)
+    : faces_(faces)
+    , edges_(faces.edges)
     , tolerance_(tolerance)
-    , face_(field)
+    , face_(faces.field)
   {
   }
 
@@ -69,9 +55,8 @@ private:
   double distanceAtEnd(Id edge, Id end) const;
   Deviation deviation(Id edge, double from, double to, const std::array<double, 2>& ends);
 
-  const DistanceField& field_;
+  const RefinedFaces& faces_;
   const CutEdges& edges_;
-  const std::vector<std::uint8_t>& isFrozen_;
   double tolerance_;
   /// The last face, as neighbouring edges often ask for the same.
   FaceDistance face_;

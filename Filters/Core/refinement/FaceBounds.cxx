@@ -105,8 +105,8 @@ double roundingOf(const std::array<double, 3>& d)
   return tolerance::FaceRounding * std::max({ d[0], d[1], d[2] });
 }
 
-} // anonymous namespace
-
+// How far the distance through windows of one halfedge can be below the interpolant, anywhere in
+// the face.
 double belowThroughHalfedge(
   const TriangleMesh& mesh, Id halfedge, const std::array<double, 3>& d, const WindowRuns& windows)
 {
@@ -115,6 +115,8 @@ double belowThroughHalfedge(
   const LineOnSegment line(shape.length[k], d[k], d[(k + 1) % 3]);
   return belowOfHalfedge(line, windows) + slackOf(shape, d).below;
 }
+
+} // anonymous namespace
 
 FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
   const std::array<WindowRuns, 3>& windows, double limit)
@@ -233,57 +235,32 @@ constexpr double BandOfTolerance = 0.25;
 
 } // anonymous namespace
 
-ListInBand listInBand(
-  const WindowRange& windows, double length, double atOrigin, double atDestination, double limit)
+MeasuredList measuredList(const TriangleMesh& mesh, const PassedList& list, double tolerance)
 {
-  const Band band = { LineOnSegment(length, atOrigin, atDestination), limit };
+  const double length = mesh.length(list.halfedge);
+  const Band band = { LineOnSegment(length, list.ends[0], list.ends[1]),
+    BandOfTolerance * tolerance };
   const double slope = band.line.slope;
+  MeasuredList measured{ list };
   if (!((1.0 - slope) * (1.0 + slope) >= -tolerance::Tie)) // 0 along a ray
   {
-    return {};
+    return measured;
   }
-  const double gap = BandGap * limit;
-  ListInBand inBand = { true, true };
+  const double gap = BandGap * band.limit;
+  bool isUnderAll = true;
   double covered = 0.0;
-  for (const Window& w : windows)
+  for (const Window& w : list.windows.range())
   {
     if (!isOver(w, band))
     {
-      return {};
+      return measured;
     }
-    inBand.staysBelowBand = inBand.staysBelowBand && w.begin <= covered + gap && isUnder(w, band);
+    isUnderAll = isUnderAll && w.begin <= covered + gap && isUnder(w, band);
     covered = w.end;
   }
-  inBand.staysBelowBand = inBand.staysBelowBand && covered + gap >= length;
-  return inBand;
-}
-
-// In a gap the distance changes by no more than the length moved from the gap's ends, and the line
-// by no more either.
-FaceBounds boundsFromBands(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
-  const std::array<bool, 3>& staysBelowBand, double limit)
-{
-  const FaceShape& shape = mesh.shape(face);
-  if (!(shape.area2 > 0.0))
-  {
-    return {};
-  }
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    if (!staysBelowBand[k] && risesFrom(k, shape, d))
-    {
-      return {};
-    }
-  }
-  const GradientSlack slack = slackOf(shape, d);
-  return { (1.0 + BandGap) * limit + slack.above, limit + slack.below };
-}
-
-MeasuredList measuredList(const TriangleMesh& mesh, const PassedList& list, double tolerance)
-{
-  return { list,
-    listInBand(list.windows.range(), mesh.length(list.halfedge), list.ends[0], list.ends[1],
-      BandOfTolerance * tolerance) };
+  measured.hasNoneBelow = true;
+  measured.hasNoneAbove = isUnderAll && covered + gap >= length;
+  return measured;
 }
 
 namespace
@@ -293,32 +270,49 @@ namespace
 // suffices: it quarters the deviation where the distance is smooth and halves it at a kink.
 constexpr double SplitOnce = 2.0;
 
-// Uses what was found about the lists as they passed.
+// From what was found about the lists as they passed. In a gap the distance changes by no more than
+// the length moved from the gap's ends, and the line by no more either.
 FaceBounds boundsByBand(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
   const MeasuredLists& lists, double tolerance)
 {
-  const double rounding = roundingOf(d);
-  std::array<bool, 3> staysBelowBand{};
-  for (const auto& [list, inBand] : lists)
+  const FaceShape& shape = mesh.shape(face);
+  if (!(shape.area2 > 0.0))
   {
+    return {};
+  }
+  const double rounding = roundingOf(d);
+  std::array<bool, 3> hasNoneAbove{};
+  for (const MeasuredList& measured : lists)
+  {
+    const PassedList& list = measured.list;
     const std::size_t k = TriangleMesh::indexInFace(list.halfedge);
-    if (!inBand.staysAboveBand || !(std::abs(list.ends[0] - d[k]) <= rounding) ||
+    if (!measured.hasNoneBelow || !(std::abs(list.ends[0] - d[k]) <= rounding) ||
       !(std::abs(list.ends[1] - d[(k + 1) % 3]) <= rounding))
     {
       return {};
     }
-    staysBelowBand[k] = staysBelowBand[k] || inBand.staysBelowBand;
+    hasNoneAbove[k] = hasNoneAbove[k] || measured.hasNoneAbove;
   }
-  return boundsFromBands(mesh, face, d, staysBelowBand, BandOfTolerance * tolerance);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    if (!hasNoneAbove[k] && risesFrom(k, shape, d))
+    {
+      return {};
+    }
+  }
+  const GradientSlack slack = slackOf(shape, d);
+  const double limit = BandOfTolerance * tolerance;
+  return { (1.0 + BandGap) * limit + slack.above, limit + slack.below };
 }
 
 FaceBounds boundsByWindows(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
   const MeasuredLists& lists, double limit)
 {
   std::array<std::vector<WindowRange>, 3> ranges;
-  for (const auto& [list, inBand] : lists)
+  for (const MeasuredList& measured : lists)
   {
-    ranges[TriangleMesh::indexInFace(list.halfedge)].push_back(list.windows.range());
+    ranges[TriangleMesh::indexInFace(measured.list.halfedge)].push_back(
+      measured.list.windows.range());
   }
   std::array<WindowRuns, 3> windows;
   for (std::size_t k = 0; k < 3; ++k)

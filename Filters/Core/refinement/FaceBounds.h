@@ -52,11 +52,6 @@ GradientSlack slackOf(const TriangleMetric& triangle, double rise1, double rise2
 FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
   const std::array<WindowRuns, 3>& windows, double limit);
 
-/// How far the distance through windows of one halfedge can be below the interpolant, anywhere in
-/// the face.
-double belowThroughHalfedge(
-  const TriangleMesh& mesh, Id halfedge, const std::array<double, 3>& d, const WindowRuns& windows);
-
 /// Bounds of |distance - linear interpolant| in a face of a field that need no envelopes. Infinite
 /// where they exceed the tolerance less the rounding.
 struct QuickError
@@ -73,32 +68,15 @@ struct QuickError
 
 QuickError quickErrorOfFace(const DistanceField& field, Id face, double tolerance, double known);
 
-/// Whether the windows of a list stay in a band around the line between two values at the ends of
-/// their halfedge. The test may fail although they do.
-struct ListInBand
-{
-  /// No window is below the band.
-  bool staysAboveBand = false;
-  /// The windows cover the halfedge except for small gaps, and none is above the band.
-  bool staysBelowBand = false;
-};
-
-/// Tests a list whose windows are in the cache; fast, as it needs no square roots.
-///
-/// \param limit half the width of the band.
-ListInBand listInBand(
-  const WindowRange& windows, double length, double atOrigin, double atDestination, double limit);
-
-/// Bounds for a face none of whose lists is below a band of this half width. `staysBelowBand` marks
-/// the halfedges that a list covers without being above the band. The bounds may be infinite.
-FaceBounds boundsFromBands(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
-  const std::array<bool, 3>& staysBelowBand, double limit);
-
-/// A passed list, and whether it is in the band around the line between the distances at its ends.
+/// A passed list, and whether its windows stay in a band around the line between the distances at
+/// the ends of its halfedge. The test takes no square roots; it may fail although they do.
 struct MeasuredList
 {
   PassedList list;
-  ListInBand inBand;
+  /// No window is below the band.
+  bool hasNoneBelow = false;
+  /// The windows cover the halfedge except for small gaps, and none is above the band.
+  bool hasNoneAbove = false;
 };
 
 /// The lists that have passed through a face, in this order.

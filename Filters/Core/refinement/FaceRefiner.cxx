@@ -3,6 +3,7 @@
 
 #include "Tolerance.h"
 #include "Trigonometry.h"
+#include "refinement/TriangleShape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,16 +39,6 @@ constexpr double DistanceFromSides = 0.2;
 // A large face takes several rounds, between which the watcher can stop.
 constexpr int StepsInRound = 2048;
 
-double angleBetween(Vec2 a, Vec2 b)
-{
-  return polarAngle({ dot(a, b), std::abs(cross(a, b)) });
-}
-
-std::array<double, 3> lengthsOf(const std::array<Vec2, 3>& c)
-{
-  return { norm(c[1] - c[0]), norm(c[2] - c[1]), norm(c[0] - c[2]) };
-}
-
 std::size_t indexOfLargest(const std::array<double, 3>& values)
 {
   return static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
@@ -72,13 +63,6 @@ std::size_t longestOnSide(const FaceTriangles::Part& part, const std::array<doub
   return longest;
 }
 
-// The smallest angle of a triangle, in radians.
-double smallestAngle(const std::array<Vec2, 3>& c)
-{
-  return std::min({ angleBetween(c[1] - c[0], c[2] - c[0]), angleBetween(c[2] - c[1], c[0] - c[1]),
-    angleBetween(c[0] - c[2], c[1] - c[2]) });
-}
-
 } // anonymous namespace
 
 bool FaceRefiner::OpenPart::operator<(const OpenPart& other) const
@@ -87,25 +71,25 @@ bool FaceRefiner::OpenPart::operator<(const OpenPart& other) const
     std::tuple(this->reason, other.urgency, this->part);
 }
 
-bool FaceRefiner::refine(FaceTriangles& face, std::uint64_t mostParts,
-  const LengthAtBorder& lengthAtBorder, std::vector<SplitRequest>& requests)
+bool FaceRefiner::refine(FaceTriangles& face, std::uint64_t mostParts, RegionsOfPoints* regions,
+  std::vector<SplitRequest>& requests)
 {
-  this->lengthAtBorder_ = &lengthAtBorder;
+  this->regions_ = regions;
   this->requests_ = &requests;
   this->open_ = {};
   this->enter(face);
-  this->takePoints();
+  this->check_.takePoints();
   face.flipChanged();
   face.takeChanged();
   for (Id part = 0; part < face.numberOfParts(); ++part)
   {
-    if (face.part(part).state != FaceTriangles::State::Passed)
+    if (face.part(part).hasPassed)
     {
-      this->assess(part);
+      this->assessAtBorder(part);
     }
     else
     {
-      this->assessAtBorder(part);
+      this->assess(part);
     }
   }
   for (int step = 0; !this->open_.empty() && face.numberOfParts() <= mostParts; ++step)
@@ -120,7 +104,10 @@ bool FaceRefiner::refine(FaceTriangles& face, std::uint64_t mostParts,
     {
       const Id parts = face.numberOfParts();
       this->improve(open);
-      this->assess(face.takeChanged());
+      for (const Id part : face.takeChanged())
+      {
+        this->assess(part);
+      }
       if (face.part(open.part).version == open.version && face.numberOfParts() > parts)
       {
         this->open_.push(open); // another triangle on the way to the longest side was split
@@ -133,125 +120,21 @@ bool FaceRefiner::refine(FaceTriangles& face, std::uint64_t mostParts,
 void FaceRefiner::enter(FaceTriangles& face)
 {
   this->face_ = &face;
-  this->inside_.clear();
-  this->distance_.enter(face.face());
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    this->edgeOfSide_[k] = this->edges_.find(TriangleMesh::halfedgeOf(face.face(), k));
-  }
+  this->check_.enter(face);
   this->leastAngle_ =
     std::min(LeastAngle, LeastAngleFraction * smallestAngle(face.places({ 0, 1, 2 })));
-}
-
-bool FaceRefiner::isReversed(std::size_t side) const
-{
-  const Id begin = this->field_.mesh().origin(this->edges_[this->edgeOfSide_[side]].halfedge);
-  return begin != this->face_->points()[side].number;
-}
-
-double FaceRefiner::alongEdge(std::size_t side, Id point) const
-{
-  const Id number = this->face_->points()[point].number;
-  if (!this->edges_.isVertex(number))
-  {
-    return this->edges_.point(number).at;
-  }
-  const Id halfedge = this->edges_[this->edgeOfSide_[side]].halfedge;
-  return number == this->field_.mesh().origin(halfedge) ? 0.0 : 1.0;
-}
-
-FaceTriangles::Point FaceRefiner::pointOnEdge(std::size_t side, Id number) const
-{
-  const PointOnEdge& on = this->edges_.point(number);
-  FaceTriangles::Point point;
-  point.weights =
-    barycentric(this->field_.mesh(), this->edges_.placeOf(number), this->face_->face());
-  point.place = this->distance_.inPlane(point.weights);
-  point.distance = on.distance;
-  point.here = this->distance_.isExact() ? on.distance : this->distance_.distance(point.place);
-  point.number = number;
-  point.sides = static_cast<std::uint8_t>(1U << side);
-  point.isForShape = on.isForShape;
-  return point;
-}
-
-void FaceRefiner::takePoints()
-{
-  for (std::size_t side = 0; side < 3; ++side)
-  {
-    this->takePoints(side);
-  }
-}
-
-// From one corner of the side to the next. A part keeps the half that begins first, so the rest of
-// the side is in the part that was added.
-void FaceRefiner::takePoints(std::size_t side)
-{
-  std::vector<Id> numbers = this->edges_[this->edgeOfSide_[side]].points;
-  if (this->face_->pointsOn(side) == numbers.size())
-  {
-    return;
-  }
-  if (this->isReversed(side))
-  {
-    std::reverse(numbers.begin(), numbers.end());
-  }
-  struct Piece
-  {
-    Id from; // the number of the point where it begins
-    Id part;
-    std::size_t k;
-    bool operator<(const Piece& other) const { return this->from < other.from; }
-  };
-  std::vector<Piece> pieces;
-  for (Id part = 0; part < this->face_->numberOfParts(); ++part)
-  {
-    const FaceTriangles::Part& p = this->face_->parts()[part];
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      if (p.across[k] == NoId &&
-        this->face_->sideWith(p.corners[k], p.corners[(k + 1) % 3]) == side)
-      {
-        pieces.push_back({ this->face_->points()[p.corners[k]].number, part, k });
-      }
-    }
-  }
-  std::sort(pieces.begin(), pieces.end());
-  const auto find = [&pieces](Id number) {
-    return std::lower_bound(pieces.begin(), pieces.end(), Piece{ number, 0, 0 });
-  };
-  Piece last = *find(this->face_->points()[side].number);
-  for (const Id number : numbers)
-  {
-    const auto found = find(number);
-    if (found != pieces.end() && found->from == number)
-    {
-      last = *found;
-      continue;
-    }
-    const Id point = this->face_->addPoint(this->pointOnEdge(side, number));
-    last.part = this->face_->split(last.part, last.k, point);
-  }
-}
-
-void FaceRefiner::assess(const std::vector<Id>& parts)
-{
-  for (const Id part : parts)
-  {
-    this->assess(part);
-  }
 }
 
 void FaceRefiner::assess(Id part)
 {
   FaceTriangles::Part& p = this->face_->part(part);
-  const Check check = this->check(p.corners, false);
+  const FaceCheck::Result check = this->check_.of(p.corners, false);
   if (!check.hasPassed)
   {
     this->open_.push({ SplitReason::Error, check.sample, part, p.version, check.limit });
     return;
   }
-  p.state = FaceTriangles::State::Passed;
+  p.hasPassed = true;
   p.bound = check.bound;
   const double shape = this->urgencyOfShape(part);
   if (shape > 0.0)
@@ -265,9 +148,8 @@ void FaceRefiner::assess(Id part)
 void FaceRefiner::assessAtBorder(Id part)
 {
   const FaceTriangles::Part& p = this->face_->parts()[part];
-  const double length = p.state == FaceTriangles::State::Passed && *this->lengthAtBorder_
-    ? (*this->lengthAtBorder_)(*this->face_, p.corners)
-    : 0.0;
+  const double length =
+    p.hasPassed && this->regions_ ? this->regions_->lengthAtBorder(*this->face_, p.corners) : 0.0;
   if (length > 0.0)
   {
     this->open_.push({ SplitReason::Border, length, part, p.version, Infinity });
@@ -315,13 +197,13 @@ void FaceRefiner::mendError(const OpenPart& open)
   double at = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const SideDeviation side = this->deviationOf(part.corners[k], part.corners[(k + 1) % 3]);
+    const SideDeviation side = this->check_.deviationOf(part.corners[k], part.corners[(k + 1) % 3]);
     const double deviation = std::min(side.deviation.largest(), lengths[k]);
     if (deviation > largest)
     {
       worst = k;
       largest = deviation;
-      at = side.at;
+      at = side.at();
     }
   }
   if (worst == 3)
@@ -331,7 +213,7 @@ void FaceRefiner::mendError(const OpenPart& open)
   else if (part.across[worst] == NoId)
   {
     const PieceOfEdge piece =
-      this->pieceBetween(part.corners[worst], part.corners[(worst + 1) % 3]);
+      this->check_.sides().pieceBetween(part.corners[worst], part.corners[(worst + 1) % 3]);
     this->request(open, piece, splitPosition(piece.isReversed ? 1.0 - at : at));
   }
   else if (!this->flipIfBoth(open.part, worst))
@@ -370,7 +252,7 @@ void FaceRefiner::mendShape(const OpenPart& open)
   {
     return; // no piece may be shorter than the shortest side
   }
-  const PieceOfEdge piece = this->pieceBetween(part.corners[k], part.corners[next]);
+  const PieceOfEdge piece = this->check_.sides().pieceBetween(part.corners[k], part.corners[next]);
   const double weight = way / lengths[k];
   this->request(open, piece, isNearBegin != piece.isReversed ? weight : 1.0 - weight);
 }
@@ -389,7 +271,7 @@ bool FaceRefiner::flipIfBoth(Id part, std::size_t k)
   {
     if (!this->face_->isTriangle(corners) ||
       smallestAngle(this->face_->places(corners)) < this->leastAngle_ ||
-      !this->check(corners, false).hasPassed)
+      !this->check_.of(corners, false).hasPassed)
     {
       return false;
     }
@@ -411,7 +293,8 @@ void FaceRefiner::halveLongest(const OpenPart& open)
     const Id other = p.across[k];
     if (other == NoId)
     {
-      this->request(open, this->pieceBetween(p.corners[k], p.corners[(k + 1) % 3]), 0.5);
+      this->request(
+        open, this->check_.sides().pieceBetween(p.corners[k], p.corners[(k + 1) % 3]), 0.5);
       return;
     }
     const auto there = lengthsOf(this->face_->places(this->face_->parts()[other].corners));
@@ -433,12 +316,12 @@ void FaceRefiner::splitInside(const OpenPart& open, Id part, std::size_t k, doub
   const FaceTriangles::Point& end = this->face_->points()[b];
   FaceTriangles::Point point;
   point.weights = between(begin.weights, end.weights, weight);
-  point.place = this->distance_.inPlane(point.weights);
+  point.place = this->check_.distance().inPlane(point.weights);
   if (this->asksBeside(open, point, norm(end.place - begin.place)))
   {
     return;
   }
-  point.distance = this->distance_.distance(point.place);
+  point.distance = this->check_.distance().distance(point.place);
   point.here = point.distance;
   point.parents = { a, b };
   point.weight = weight;
@@ -451,7 +334,7 @@ void FaceRefiner::splitInside(const OpenPart& open, Id part, std::size_t k, doub
 // the longest piece beside it is to be halved instead.
 bool FaceRefiner::asksBeside(const OpenPart& open, const FaceTriangles::Point& point, double length)
 {
-  const FaceShape& shape = this->field_.mesh().shape(this->face_->face());
+  const FaceShape& shape = this->mesh_.shape(this->face_->face());
   const double away = DistanceFromSides * 0.5 * length;
   PieceOfEdge beside;
   double longest = 2.0 * away; // shorter ones do no harm
@@ -459,17 +342,11 @@ bool FaceRefiner::asksBeside(const OpenPart& open, const FaceTriangles::Point& p
   {
     if (point.weights[(side + 2) % 3] * shape.area2 / shape.length[side] < away)
     {
-      const Vec2 begin = this->face_->points()[side].place;
-      const Vec2 along = this->face_->points()[(side + 1) % 3].place - begin;
-      const double way = std::clamp(dot(along, point.place - begin) / dot(along, along), 0.0, 1.0);
-      const Id edge = this->edgeOfSide_[side];
-      const double place = this->isReversed(side) ? 1.0 - way : way;
-      const Id piece =
-        std::min(this->edges_.pieceFrom(edge, place), this->edges_[edge].numberOfPieces() - 1);
-      const double lengthOfPiece = this->edges_.lengthOfPiece(edge, piece);
+      const PieceOfEdge piece = this->check_.sides().pieceAt(side, point.place);
+      const double lengthOfPiece = this->edges_.lengthOfPiece(piece.edge, piece.piece);
       if (lengthOfPiece > longest)
       {
-        beside = { edge, piece, false };
+        beside = piece;
         longest = lengthOfPiece;
       }
     }
@@ -485,81 +362,7 @@ bool FaceRefiner::asksBeside(const OpenPart& open, const FaceTriangles::Point& p
 void FaceRefiner::request(const OpenPart& open, const PieceOfEdge& piece, double weight)
 {
   this->requests_->push_back({ piece.edge, piece.piece, open.reason, open.urgency, weight });
-  this->face_->part(open.part).state = FaceTriangles::State::Waiting;
-}
-
-FaceRefiner::PieceOfEdge FaceRefiner::pieceBetween(Id a, Id b) const
-{
-  const std::size_t side = this->face_->sideWith(a, b);
-  const Id edge = this->edgeOfSide_[side];
-  const double fromA = this->alongEdge(side, a);
-  const double fromB = this->alongEdge(side, b);
-  return { edge, this->edges_.pieceFrom(edge, std::min(fromA, fromB)), fromB < fromA };
-}
-
-// The deviation along a side between two points of the face.
-FaceRefiner::SideDeviation FaceRefiner::deviationOf(Id a, Id b)
-{
-  if (this->face_->sideWith(a, b) == 3)
-  {
-    const Deviation& inside = this->measured(std::min(a, b), std::max(a, b));
-    return { inside, a < b ? inside.at() : 1.0 - inside.at() };
-  }
-  const PieceOfEdge piece = this->pieceBetween(a, b);
-  const Deviation& along = this->edges_[piece.edge].pieces[piece.piece];
-  return { along, piece.isReversed ? 1.0 - along.at() : along.at() };
-}
-
-// From the lower point to the higher one, to the last digit the same from both sides.
-const Deviation& FaceRefiner::measured(Id a, Id b)
-{
-  const auto [found, isNew] =
-    this->inside_.emplace((static_cast<std::uint64_t>(a) << 32) | b, Deviation());
-  if (isNew)
-  {
-    const FaceTriangles::Point& begin = this->face_->points()[a];
-    const FaceTriangles::Point& end = this->face_->points()[b];
-    found->second = largestDeviation(this->envelope_.along(this->distance_, begin.place, end.place),
-      norm(end.place - begin.place), begin.here, end.here);
-  }
-  return found->second;
-}
-
-// In an approximate field the faces around a point differ by what merging has changed, which no
-// refinement can undo. The triangle gets the rest of the tolerance, but at least half of it. A
-// triangle as small as the tolerance passes.
-FaceRefiner::Check FaceRefiner::check(const Triangle& corners, bool isTight)
-{
-  LinearPiece linear;
-  double largest = 0.0;
-  double difference = 0.0;
-  Deviation onSides;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const FaceTriangles::Point& point = this->face_->points()[corners[k]];
-    linear.corners[k] = point.place;
-    linear.values[k] = point.here;
-    largest = std::max(largest, point.distance);
-    difference = std::max(difference, std::abs(point.here - point.distance));
-    onSides.widen(this->deviationOf(corners[k], corners[(k + 1) % 3]).deviation);
-  }
-  const double rounding = tolerance::FaceRounding * largest;
-  const double limit = std::max(this->tolerance_ - difference - rounding, 0.5 * this->tolerance_);
-  const bool isSmall = longestEdge(linear.corners) <= limit;
-  if (onSides.largest() > limit && !isSmall && !isTight)
-  {
-    return { false, Infinity, onSides.largest(), limit };
-  }
-  const ErrorInside inside =
-    this->error_.of(this->distance_, linear, onSides, limit, isTight || isSmall);
-  const double own = std::max(inside.bound, onSides.largest());
-  return { isSmall || own <= limit, own + rounding + difference, inside.sample, limit };
-}
-
-double FaceRefiner::tightBound(FaceTriangles& face, Id part)
-{
-  this->enter(face);
-  return this->check(face.parts()[part].corners, true).bound;
+  this->face_->part(open.part).hasPassed = false; // assessed anew with the point
 }
 
 }

@@ -2,16 +2,11 @@
 #ifndef geodesic_FaceRefiner_h
 #define geodesic_FaceRefiner_h
 
-#include "field/FaceDistance.h"
-#include "field/SegmentEnvelope.h"
-#include "refinement/CutEdges.h"
-#include "refinement/FaceTriangles.h"
-#include "refinement/TriangleError.h"
+#include "refinement/FaceCheck.h"
+#include "refinement/RegionsOfPoints.h"
 
 #include <cstdint>
-#include <functional>
 #include <queue>
-#include <unordered_map>
 #include <vector>
 
 namespace geodesic
@@ -40,10 +35,6 @@ struct SplitRequest
   double weight;
 };
 
-/// The length of a triangle's longest side if a border of regions passes it, so that it must be
-/// split; else 0.
-using LengthAtBorder = std::function<double(const FaceTriangles&, const Triangle&)>;
-
 /// Refines one face by itself, given the points on its edges: splits and flips sides inside, and
 /// asks for more points on its edges. One object serves one face after another and reuses its
 /// memory.
@@ -54,36 +45,22 @@ using LengthAtBorder = std::function<double(const FaceTriangles&, const Triangle
 class FaceRefiner
 {
 public:
-  /// The field and the edges must outlive this. The edges do not change while faces are refined.
-  FaceRefiner(const DistanceField& field, const CutEdges& edges, double tolerance)
-    : field_(field)
-    , edges_(edges)
-    , tolerance_(tolerance)
-    , error_(field)
-    , distance_(field)
+  /// \param faces must outlive this. Their edges do not change while faces are refined.
+  FaceRefiner(const RefinedFaces& faces, double tolerance)
+    : mesh_(faces.field.mesh())
+    , edges_(faces.edges)
+    , check_(faces, tolerance)
   {
   }
 
   /// \param mostParts refinement stops when the face has more.
-  /// \param lengthAtBorder empty: there are no regions.
+  /// \param regions null: borders of regions do not count.
   /// \param requests are appended.
   /// \returns whether the face has done what it can without new points on edges.
-  bool refine(FaceTriangles& face, std::uint64_t mostParts, const LengthAtBorder& lengthAtBorder,
+  bool refine(FaceTriangles& face, std::uint64_t mostParts, RegionsOfPoints* regions,
     std::vector<SplitRequest>& requests);
 
-  /// A bound of the difference in a triangle over the tolerance, close to one that does occur.
-  double tightBound(FaceTriangles& face, Id part);
-
 private:
-  struct Check
-  {
-    bool hasPassed;
-    double bound;
-    /// A difference that does occur.
-    double sample;
-    /// The limit for differences within the face.
-    double limit;
-  };
   struct OpenPart
   {
     SplitReason reason;
@@ -94,27 +71,7 @@ private:
 
     bool operator<(const OpenPart& other) const;
   };
-  /// The largest difference along a side of a triangle, and where, from its first corner.
-  struct SideDeviation
-  {
-    Deviation deviation;
-    double at;
-  };
-
-  /// A piece between two points of one side of the face.
-  struct PieceOfEdge
-  {
-    Id edge = NoId;
-    Id piece = NoId;
-    /// Whether the edge runs from the second point to the first.
-    bool isReversed = false;
-  };
-
   void enter(FaceTriangles& face);
-  void takePoints();
-  void takePoints(std::size_t side);
-  FaceTriangles::Point pointOnEdge(std::size_t side, Id number) const;
-  void assess(const std::vector<Id>& parts);
   void assess(Id part);
   void assessAtBorder(Id part);
   double urgencyOfShape(Id part) const;
@@ -128,29 +85,16 @@ private:
   void request(const OpenPart& open, const PieceOfEdge& piece, double weight);
   bool mayImproveShape() const;
 
-  Check check(const Triangle& corners, bool isTight);
-  PieceOfEdge pieceBetween(Id a, Id b) const;
-  SideDeviation deviationOf(Id a, Id b);
-  const Deviation& measured(Id a, Id b);
-  double alongEdge(std::size_t side, Id point) const;
-  bool isReversed(std::size_t side) const;
-
-  const DistanceField& field_;
+  const TriangleMesh& mesh_;
   const CutEdges& edges_;
-  double tolerance_;
-  TriangleError error_;
-  SegmentEnvelope envelope_;
-  FaceDistance distance_;
+  FaceCheck check_;
 
   // The face that is refined.
   FaceTriangles* face_ = nullptr;
-  std::array<Id, 3> edgeOfSide_{};
   double leastAngle_ = 0.0;
-  const LengthAtBorder* lengthAtBorder_ = nullptr;
+  RegionsOfPoints* regions_ = nullptr;
   std::vector<SplitRequest>* requests_ = nullptr;
   std::priority_queue<OpenPart> open_;
-  /// The deviations along sides inside the face, from the lower point to the higher one.
-  std::unordered_map<std::uint64_t, Deviation> inside_;
 };
 
 }

@@ -64,7 +64,7 @@ void FaceTriangles::change(Id part)
 {
   Part& p = this->parts_[part];
   ++p.version;
-  p.state = State::Unknown;
+  p.hasPassed = false;
   this->changed_.push_back(part);
 }
 

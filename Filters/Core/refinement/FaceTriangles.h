@@ -38,25 +38,18 @@ public:
     bool isForShape = false;
   };
 
-  enum class State : std::uint8_t
-  {
-    /// New or changed, or left over the tolerance as the face has as many points as it may have.
-    Unknown,
-    Passed,
-    /// Waits for a point on an edge.
-    Waiting
-  };
-
   struct Part
   {
     Triangle corners;
     /// The triangle across the side from corner k to corner k + 1; NoId on a side of the face.
     std::array<Id, 3> across = { NoId, NoId, NoId };
-    State state = State::Unknown;
-    /// How often it has changed.
-    Id version = 0;
+    /// Whether it is within the tolerance and has no need of a point on an edge, as far as is
+    /// known.
+    bool hasPassed = false;
     /// Certified, if it has passed: the difference to the distance is nowhere larger.
     double bound = 0.0;
+    /// How often it has changed.
+    Id version = 0;
   };
 
   FaceTriangles(Id face, const std::array<Point, 3>& corners);

@@ -16,12 +16,18 @@ namespace geodesic
 /// with others are the points on its edges.
 struct RefinedFaces
 {
-  explicit RefinedFaces(const DistanceField& refined)
+  /// All arguments must outlive this.
+  ///
+  /// \param isFrozen for each face, not 0 if this rank does not refine it.
+  RefinedFaces(const DistanceField& refined, const std::vector<std::uint8_t>& isFrozen)
     : field(refined)
     , edges(refined.mesh())
     , ofFace(refined.mesh().numberOfFaces(), NoId)
+    , isFrozen_(isFrozen)
   {
   }
+
+  bool isFrozen(Id face) const { return this->isFrozen_[face] != 0; }
 
   /// Begins the triangulation of a face; its edges get numbers.
   void open(Id face)
@@ -53,6 +59,7 @@ struct RefinedFaces
   std::vector<Id> ofFace;
 
 private:
+  const std::vector<std::uint8_t>& isFrozen_;
   std::vector<FaceTriangles> open_;
 };
 

@@ -7,7 +7,6 @@
 #include "source/SourceCurve.h"
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace geodesic
@@ -26,11 +25,8 @@ struct SourceRegion
   }
 };
 
-/// Finds the region of a point of the surface.
-using RegionOf = std::function<SourceRegion(const SurfacePoint&)>;
-
 /// Divides a surface into the regions that are nearest to one part of the source each. refine() can
-/// split triangles along their borders (RefinementOptions::regionOf).
+/// split triangles along their borders (RefinementOptions::regions).
 class SourceRegions
 {
 public:

@@ -22,16 +22,12 @@ struct EdgeAddress
   Id halfedge;
 };
 
-struct RequestMessage
+/// What a rank tells another one of an edge.
+template <typename Item>
+struct AtEdge
 {
   EdgeAddress edge;
-  SplitRequest request;
-};
-
-struct SplitMessage
-{
-  EdgeAddress edge;
-  EdgeSplit split;
+  Item item;
 };
 
 EdgeAddress addressOf(const MeshPartition& surface, Id halfedge)
@@ -62,27 +58,24 @@ void keepMostUrgent(std::vector<SplitRequest>& requests)
   requests.erase(std::unique(requests.begin(), requests.end(), isSamePiece), requests.end());
 }
 
-} // anonymous namespace
-
-std::vector<std::uint8_t> frozenOnAnyRank(
-  const MeshPartition& surface, const std::vector<std::uint8_t>& isFrozen)
+// For each face of another rank, not 0 if its owner does not refine it; empty in one process.
+std::vector<std::uint8_t> frozenOnOtherRanks(const RefinedFaces& faces)
 {
-  std::vector<std::uint8_t> isFrozenThere = isFrozen;
+  const MeshPartition& surface = faces.field.surface();
   if (!surface.isDistributed())
   {
-    return isFrozenThere;
+    return {};
   }
   // Each rank tells those that have a copy of a frozen face: those that have one of its vertices.
-  std::fill(isFrozenThere.begin(), isFrozenThere.end(), std::uint8_t{ 0 });
+  std::vector<std::uint8_t> isFrozenThere(surface.mesh().numberOfFaces(), 0);
   std::vector<Message> messages = surface.exchange().noMessages();
   for (Id face = surface.firstOwnFace(); face < surface.endOfOwnFaces(); ++face)
   {
-    isFrozenThere[face] = isFrozen[face];
     for (const Id vertex : surface.mesh().triangle(face))
     {
       for (const RankAddress& other : surface.othersWith(vertex))
       {
-        if (isFrozen[face] != 0)
+        if (faces.isFrozen(face))
         {
           put(messages[rankIndex(other.rank)], face);
         }
@@ -96,13 +89,12 @@ std::vector<std::uint8_t> frozenOnAnyRank(
   return isFrozenThere;
 }
 
-SplitsOfEdges::SplitsOfEdges(const DistanceField& field, CutEdges& edges,
-  const std::vector<std::uint8_t>& isFrozen, const std::vector<std::uint8_t>& isFrozenThere,
-  double tolerance, const Job& job)
-  : field_(field)
-  , edges_(edges)
-  , isFrozen_(isFrozen)
-  , isFrozenThere_(isFrozenThere)
+} // anonymous namespace
+
+SplitsOfEdges::SplitsOfEdges(RefinedFaces& faces, double tolerance, const Job& job)
+  : faces_(faces)
+  , edges_(faces.edges)
+  , isFrozenThere_(frozenOnOtherRanks(faces))
   , tolerance_(tolerance)
   , job_(job)
 {
@@ -118,8 +110,7 @@ void SplitsOfEdges::run(std::size_t count, const Item& item)
     {
       while (this->splitters_.size() < tasks)
       {
-        this->splitters_.push_back(std::make_unique<EdgeSplitter>(
-          this->field_, this->edges_, this->isFrozen_, this->tolerance_));
+        this->splitters_.push_back(std::make_unique<EdgeSplitter>(this->faces_, this->tolerance_));
       }
     },
     [&](std::size_t task, std::size_t i) { item(*this->splitters_[task], i); });
@@ -130,7 +121,7 @@ std::vector<SplitRequest> SplitsOfEdges::measureNew()
   std::vector<Id> unknown;
   for (Id edge = this->measured_; edge < this->edges_.size(); ++edge)
   {
-    if (this->edges_[edge].pieces.empty())
+    if (!this->edges_[edge].pieces.front().isKnown())
     {
       unknown.push_back(edge);
     }
@@ -181,10 +172,11 @@ std::vector<Id> SplitsOfEdges::split(std::vector<SplitRequest> requests)
   return changed;
 }
 
-// Faces are in the order of the ranks, and siblings in the order of the faces.
+// The lowest rank that refines a face there. Faces are in the order of the ranks, and siblings in
+// the order of the faces. This rank refines one of its own: it has asked for the split.
 int SplitsOfEdges::deciderOf(Id edge) const
 {
-  const MeshPartition& surface = this->field_.surface();
+  const MeshPartition& surface = this->faces_.field.surface();
   int rank = surface.exchange().rank();
   bool isFound = !surface.isDistributed();
   if (!isFound)
@@ -205,7 +197,7 @@ int SplitsOfEdges::deciderOf(Id edge) const
 // The requests about which this rank decides.
 std::vector<SplitRequest> SplitsOfEdges::gather(std::vector<SplitRequest> requests)
 {
-  const MeshPartition& surface = this->field_.surface();
+  const MeshPartition& surface = this->faces_.field.surface();
   keepMostUrgent(requests);
   if (!surface.isDistributed())
   {
@@ -223,15 +215,15 @@ std::vector<SplitRequest> SplitsOfEdges::gather(std::vector<SplitRequest> reques
     else
     {
       put(messages[rankIndex(decider)],
-        RequestMessage{ addressOf(surface, this->edges_[request.edge].halfedge), request });
+        AtEdge<SplitRequest>{ addressOf(surface, this->edges_[request.edge].halfedge), request });
     }
   }
   readEach(surface.exchange().step(std::move(messages)),
     [&](int, MessageReader& reader)
     {
-      RequestMessage message = reader.get<RequestMessage>();
-      message.request.edge = edgeAt(surface, this->edges_, message.edge);
-      own.push_back(message.request);
+      const auto message = reader.get<AtEdge<SplitRequest>>();
+      own.push_back(message.item);
+      own.back().edge = edgeAt(surface, this->edges_, message.edge);
     });
   keepMostUrgent(own);
   return own;
@@ -256,16 +248,11 @@ EdgeCuts SplitsOfEdges::decide(
   return cuts;
 }
 
-void SplitsOfEdges::apply(Id edge, const EdgeSplit& split)
-{
-  this->edges_.split(edge, split.piece, split.weight, split.distance, split.isForShape);
-}
-
 // Makes this rank's splits, tells the other ranks with faces there, and makes theirs.
 std::vector<Id> SplitsOfEdges::share(
   const std::vector<Id>& edges, const std::vector<EdgeCuts>& cuts)
 {
-  const MeshPartition& surface = this->field_.surface();
+  const MeshPartition& surface = this->faces_.field.surface();
   std::vector<Message> messages = surface.exchange().noMessages();
   std::vector<Id> changed = edges;
   for (std::size_t i = 0; i < edges.size(); ++i)
@@ -275,10 +262,10 @@ std::vector<Id> SplitsOfEdges::share(
       surface.isDistributed() ? surface.otherRanksAt(halfedge) : std::vector<int>();
     for (const EdgeSplit& split : cuts[i].splits)
     {
-      this->apply(edges[i], split);
+      this->edges_.split(edges[i], split);
       for (const int other : others)
       {
-        put(messages[rankIndex(other)], SplitMessage{ addressOf(surface, halfedge), split });
+        put(messages[rankIndex(other)], AtEdge<EdgeSplit>{ addressOf(surface, halfedge), split });
       }
     }
     if (cuts[i].pieces.size() == this->edges_[edges[i]].numberOfPieces())
@@ -291,9 +278,9 @@ std::vector<Id> SplitsOfEdges::share(
     readEach(surface.exchange().step(std::move(messages)),
       [&](int, MessageReader& reader)
       {
-        const auto message = reader.get<SplitMessage>();
+        const auto message = reader.get<AtEdge<EdgeSplit>>();
         changed.push_back(edgeAt(surface, this->edges_, message.edge));
-        this->apply(changed.back(), message.split);
+        this->edges_.split(changed.back(), message.item);
       });
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());

@@ -13,24 +13,13 @@
 namespace geodesic
 {
 
-/// For each face, whether it is not refined on the rank that owns it. All ranks call this together.
-///
-/// \param isFrozen of this rank's faces.
-std::vector<std::uint8_t> frozenOnAnyRank(
-  const MeshPartition& surface, const std::vector<std::uint8_t>& isFrozen);
-
 /// Puts points on edges, as faces have asked for them. Faces of several ranks at an edge get the
 /// same points, bit for bit: the lowest rank that refines a face there decides for all.
 class SplitsOfEdges
 {
 public:
-  /// All arguments must outlive this.
-  ///
-  /// \param isFrozen faces that this rank does not refine.
-  /// \param isFrozenThere see frozenOnAnyRank().
-  SplitsOfEdges(const DistanceField& field, CutEdges& edges,
-    const std::vector<std::uint8_t>& isFrozen, const std::vector<std::uint8_t>& isFrozenThere,
-    double tolerance, const Job& job);
+  /// All ranks construct this together. The faces and the job must outlive it.
+  SplitsOfEdges(RefinedFaces& faces, double tolerance, const Job& job);
 
   /// Measures the edges that have been added since the last call. \returns for each one over the
   /// tolerance a request to split it.
@@ -49,13 +38,12 @@ private:
   std::vector<SplitRequest> gather(std::vector<SplitRequest> requests);
   EdgeCuts decide(EdgeSplitter& splitter, const SplitRequest* first, const SplitRequest* last);
   std::vector<Id> share(const std::vector<Id>& edges, const std::vector<EdgeCuts>& cuts);
-  void apply(Id edge, const EdgeSplit& split);
   void measure(const std::vector<Id>& edges);
 
-  const DistanceField& field_;
+  RefinedFaces& faces_;
   CutEdges& edges_;
-  const std::vector<std::uint8_t>& isFrozen_;
-  const std::vector<std::uint8_t>& isFrozenThere_;
+  /// On several ranks, for each face of another rank, not 0 if its owner does not refine it.
+  std::vector<std::uint8_t> isFrozenThere_;
   double tolerance_;
   const Job& job_;
   std::vector<std::unique_ptr<EdgeSplitter>> splitters_;

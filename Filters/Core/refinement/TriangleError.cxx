@@ -100,11 +100,6 @@ double belowAtSources(
 
 } // anonymous namespace
 
-double longestEdge(const std::array<Vec2, 3>& c)
-{
-  return std::max({ norm(c[1] - c[0]), norm(c[2] - c[1]), norm(c[0] - c[2]) });
-}
-
 ErrorInside TriangleError::of(const FaceDistance& face, const LinearPiece& piece,
   const Deviation& onEdges, double limit, bool tight)
 {

@@ -18,9 +18,6 @@ struct LinearPiece
   std::array<double, 3> values;
 };
 
-/// The length of a triangle's longest edge.
-double longestEdge(const std::array<Vec2, 3>& corners);
-
 /// The difference between distance and linear function in a triangle.
 struct ErrorInside
 {

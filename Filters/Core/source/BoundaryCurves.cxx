@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/BoundaryCurves.h"
 
+#include "Chains.h"
+
 #include <algorithm>
-#include <unordered_map>
 #include <utility>
 
 namespace geodesic
@@ -67,47 +68,28 @@ void addPieces(const SourceCurve& curve, const TriangleMesh& mesh, std::vector<S
 
 std::vector<SourceCurve> boundaryCurves(const TriangleMesh& mesh)
 {
-  std::vector<std::uint8_t> isFree(mesh.numberOfHalfedges(), 0); // on the boundary, in no curve yet
-  std::unordered_map<Id, std::vector<Id>> halfedgesAt;           // of vertices on the boundary
+  std::vector<Id> boundary;
+  std::vector<Id> ends; // vertices, two a halfedge
   for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
   {
     if (mesh.isBoundary(halfedge))
     {
-      isFree[halfedge] = 1;
-      halfedgesAt[mesh.origin(halfedge)].push_back(halfedge);
-      halfedgesAt[mesh.destination(halfedge)].push_back(halfedge);
+      boundary.push_back(halfedge);
+      ends.insert(ends.end(), { mesh.origin(halfedge), mesh.destination(halfedge) });
     }
   }
+  std::vector<Chain> chains = followChains(ends);
+  beginAtLowestEnds(chains);
   std::vector<SourceCurve> curves;
-  const auto follow = [&](Id halfedge, Id vertex)
+  for (const Chain& chain : chains)
   {
-    SourceCurve& curve = curves.emplace_back(pointCurve(SurfacePoint::atVertex(vertex)));
-    while (halfedge != NoId)
+    SourceCurve& curve =
+      curves.emplace_back(pointCurve(SurfacePoint::atVertex(ends[chain.ends.front()])));
+    for (const Id end : chain.ends)
     {
-      isFree[halfedge] = 0;
-      const Id origin = mesh.origin(halfedge);
-      vertex = origin == vertex ? mesh.destination(halfedge) : origin;
-      curve.points.push_back(SurfacePoint::atVertex(vertex));
+      curve.points.push_back(SurfacePoint::atVertex(ends[end ^ 1U]));
       curve.isCut.push_back(0);
-      curve.faces.push_back(TriangleMesh::faceOf(halfedge));
-      const std::vector<Id>& two = halfedgesAt[vertex];
-      const Id next = two.front() == halfedge ? two.back() : two.front();
-      halfedge = two.size() == 2 && isFree[next] ? next : NoId;
-    }
-  };
-  // First the curves between vertices where the boundary branches or ends, then the remaining
-  // loops.
-  for (const bool loops : { false, true })
-  {
-    for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
-    {
-      for (const Id vertex : { mesh.origin(halfedge), mesh.destination(halfedge) })
-      {
-        if (isFree[halfedge] && (loops || halfedgesAt[vertex].size() != 2))
-        {
-          follow(halfedge, vertex);
-        }
-      }
+      curve.faces.push_back(TriangleMesh::faceOf(boundary[end / 2]));
     }
   }
   return curves;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/CurveChains.h"
 
+#include "Chains.h"
+
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -11,47 +13,24 @@ namespace geodesic
 namespace
 {
 
-constexpr std::size_t NoEnd = static_cast<std::size_t>(-1);
-
-/// The ends of curve c are 2 * c, at its first point, and 2 * c + 1, at its last one. For each end,
-/// the end of another curve that continues it, or NoEnd.
-std::vector<std::size_t> partnersOfEnds(
-  const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
+/// The numbers of the places where curves begin and end. Points and closed curves join no others.
+std::vector<Id> placesOfEnds(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
 {
   using Key = std::tuple<SurfacePoint::Kind, Id, double, double>;
-  std::map<Key, std::vector<std::size_t>> meeting;
-  for (std::size_t end = 0; end < 2 * curves.size(); ++end)
+  std::map<Key, Id> numbers;
+  std::vector<Id> places;
+  for (const SourceCurve& curve : curves)
   {
-    const SourceCurve& curve = curves[end / 2];
-    if (curve.points.size() > 1 && !curve.isClosed())
+    for (const SurfacePoint& end : { curve.points.front(), curve.points.back() })
     {
-      const SurfacePoint& p = end % 2 == 0 ? curve.points.front() : curve.points.back();
-      meeting[normalized(mesh, p).members()].push_back(end);
+      const bool isJoined = curve.points.size() > 1 && !curve.isClosed();
+      places.push_back(!isJoined
+          ? NoId
+          : numbers.try_emplace(normalized(mesh, end).members(), static_cast<Id>(numbers.size()))
+              .first->second);
     }
   }
-  std::vector<std::size_t> partners(2 * curves.size(), NoEnd);
-  for (const auto& [place, ends] : meeting)
-  {
-    if (ends.size() == 2)
-    {
-      partners[ends[0]] = ends[1];
-      partners[ends[1]] = ends[0];
-    }
-  }
-  return partners;
-}
-
-/// The first end of the chain that contains a curve: back from curve to curve, or once around a
-/// loop.
-std::size_t firstOfChain(const std::vector<std::size_t>& partners, std::size_t curve)
-{
-  std::size_t first = 2 * curve;
-  for (std::size_t before = partners[first]; before != NoEnd && before / 2 != curve;
-       before = partners[first])
-  {
-    first = before ^ 1U;
-  }
-  return first;
+  return places;
 }
 
 /// Appends a curve to a chain whose last point is the curve's first, or its last if reversed.
@@ -87,27 +66,21 @@ std::vector<double> parametersAlong(const TriangleMesh& mesh, const SourceCurve&
 CurveChains::CurveChains(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
   : inChain_(curves.size())
 {
-  const std::vector<std::size_t> partners = partnersOfEnds(mesh, curves);
   Id numberOfPoints = 0;
-  for (std::size_t c = 0; c < curves.size(); ++c)
+  for (const Chain& joined : followChains(placesOfEnds(mesh, curves)))
   {
-    if (this->inChain_[c].chain != NoId)
-    {
-      continue;
-    }
     const Id number = static_cast<Id>(this->chains_.size());
     SourceCurve& chain = this->chains_.emplace_back();
-    chain.source = curves[c].source;
     std::vector<Id>& order = this->order_.emplace_back();
-    for (std::size_t end = firstOfChain(partners, c);
-         end != NoEnd && this->inChain_[end / 2].chain == NoId; end = partners[end ^ 1U])
+    for (const Id end : joined.ends)
     {
       const bool isReversed = end % 2 != 0;
       const std::size_t begin = std::max<std::size_t>(chain.points.size(), 1) - 1;
       append(curves[end / 2], isReversed, chain);
       this->inChain_[end / 2] = { number, isReversed, begin, chain.points.size() - 1 };
-      order.push_back(static_cast<Id>(end / 2));
+      order.push_back(end / 2);
     }
+    chain.source = curves[*std::min_element(order.begin(), order.end())].source;
     for (SurfacePoint& point : chain.points)
     {
       point = normalized(mesh, point);

@@ -19,10 +19,10 @@ struct RowOfPlaces
 };
 
 /// Keeps polylines on one side of a thin wall. Chooses for each place between the closest faces and
-/// those of the opposite wall, so that each polyline changes from one side to the other as rarely
-/// as possible, and goes to the farther side for as little as possible. A curve around an edge
-/// changes sides once, where its points do, or not at all if it has points on the edge's narrow
-/// side. A place of several points has one choice: that of its first point.
+/// the faces of the opposite wall, so that each polyline changes sides as rarely as possible, and
+/// goes to the farther side for as little as possible. A curve around an edge changes sides once,
+/// where its points do, or not at all if it has points on the edge's narrow side. A place of
+/// several points has one choice: that of its first point.
 ///
 /// \param places in space.
 /// \param rows polylines through them.

@@ -2,9 +2,51 @@
 #include "source/SourceCurve.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <unordered_map>
 
 namespace geodesic
 {
+
+std::vector<SourceCurve> curvesWhereRegionsBranch(
+  const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
+{
+  std::unordered_map<Id, std::vector<Id>> sourcesOfFaces;
+  for (const SourceCurve& curve : curves)
+  {
+    for (const Id face : curve.coveredFaces)
+    {
+      sourcesOfFaces[face].push_back(curve.source);
+    }
+  }
+  std::vector<SourceCurve> result;
+  for (Id halfedge = 0; mesh.numberOfNonManifoldEdges() > 0 && halfedge < mesh.numberOfHalfedges();
+       ++halfedge)
+  {
+    std::unordered_map<Id, std::size_t> uses;
+    Id outside = NoId;
+    Id s = halfedge;
+    do
+    {
+      const auto found = sourcesOfFaces.find(TriangleMesh::faceOf(s));
+      outside = found == sourcesOfFaces.end() ? TriangleMesh::faceOf(s) : outside;
+      for (const Id source : found == sourcesOfFaces.end() ? std::vector<Id>() : found->second)
+      {
+        ++uses[source];
+      }
+      s = mesh.nextSibling(s);
+    } while (s != halfedge && mesh.edgeOf(halfedge) == halfedge);
+    const auto branching =
+      std::find_if(uses.begin(), uses.end(), [](const auto& use) { return use.second > 1; });
+    if (outside != NoId && branching != uses.end())
+    {
+      result.push_back({ { SurfacePoint::atVertex(mesh.origin(halfedge)),
+                           SurfacePoint::atVertex(mesh.destination(halfedge)) },
+        { outside }, { 0, 0 }, branching->first });
+    }
+  }
+  return result;
+}
 
 double lengthOfSegment(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i)
 {
@@ -72,7 +114,8 @@ double nearestAlongSource(
 Barycentric nearestOnSource(
   const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& point)
 {
-  return between(source.a, source.b, nearestAlongSource(mesh, source, point));
+  return source.isWholeFace ? point
+                            : between(source.a, source.b, nearestAlongSource(mesh, source, point));
 }
 
 double distanceToSource(

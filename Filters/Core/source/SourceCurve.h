@@ -23,6 +23,10 @@ struct SourceCurve
   std::vector<std::uint8_t> isCut;
   /// The part of the source to which it belongs, such as a cell's number.
   Id source = 0;
+  /// The faces that belong to the source as a whole. The outline of such a region is its curve, or
+  /// several, one of which names the faces. A region without an outline is a closed component: one
+  /// of its points is its curve.
+  std::vector<Id> coveredFaces = {};
 
   bool isClosed() const
   {
@@ -36,6 +40,11 @@ inline SourceCurve pointCurve(const SurfacePoint& point)
 {
   return { { point }, {}, { 0 } };
 }
+
+/// The curves along edges of three and more faces at which regions branch: two faces or more of one
+/// region meet others of no region there, so that no outline runs along the edge.
+std::vector<SourceCurve> curvesWhereRegionsBranch(
+  const TriangleMesh& mesh, const std::vector<SourceCurve>& curves);
 
 /// The length of the segment from point i to point i + 1 of a curve.
 double lengthOfSegment(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i);
@@ -62,7 +71,7 @@ struct SegmentEnd
 /// normalized.
 Vec2 directionIn(const TriangleMesh& mesh, const SegmentEnd& end, Id halfedge);
 
-/// A source inside a face: a segment, or a point if both ends are equal.
+/// A source inside a face: a segment, a point if both ends are equal, or the whole face.
 struct SourceInFace
 {
   Id face = NoId;
@@ -72,6 +81,9 @@ struct SourceInFace
   Id curve = 0;
   double parameterOfA = 0.0;
   double parameterOfB = 0.0;
+  /// Whether every point of the face is on the source. The ends are then its first corner, and the
+  /// parameters those of the first point of the region's curve.
+  bool isWholeFace = false;
 
   bool operator<(const SourceInFace& other) const { return this->face < other.face; }
 };

@@ -53,6 +53,7 @@ public:
   SourceWindowsMaker(
     const TriangleMesh& mesh, const std::vector<SourceCurve>& curves, const Job& job)
     : mesh_(mesh)
+    , given_(curves)
     , curves_(ReplicatedPatch(mesh), curves)
     , job_(job)
   {
@@ -70,6 +71,11 @@ public:
       this->addPoints(chain);
     }
     this->emitFromVertices();
+    if (std::any_of(this->given_.begin(), this->given_.end(),
+          [](const SourceCurve& curve) { return !curve.coveredFaces.empty(); }))
+    {
+      this->addCoveredFaces();
+    }
     std::stable_sort(this->result_.inFaces.begin(), this->result_.inFaces.end());
     return std::move(this->result_);
   }
@@ -169,6 +175,50 @@ private:
       });
   }
 
+  // Paths from a covered face begin at its edges, so no window leaves it.
+  void addCoveredFaces()
+  {
+    std::vector<std::uint8_t> isCovered(this->mesh_.numberOfFaces(), 0);
+    for (std::size_t c = 0; c < this->given_.size(); ++c)
+    {
+      const CurveChains::CurveInChain& at = this->chains().inChain(static_cast<Id>(c));
+      const double parameter = this->chains().parameters(at.chain)[at.begin];
+      for (const Id face : this->given_[c].coveredFaces)
+      {
+        this->step();
+        isCovered[face] = 1;
+        this->result_.inFaces.push_back(
+          { face, cornerWeights(0), cornerWeights(0), at.chain, parameter, parameter, true });
+      }
+    }
+    this->addVerticesInside(isCovered);
+    std::vector<LeavingWindow>& windows = this->result_.windows;
+    windows.erase(std::remove_if(windows.begin(), windows.end(),
+                    [&](const LeavingWindow& leaving)
+                    { return isCovered[TriangleMesh::faceOf(leaving.halfedge)] != 0; }),
+      windows.end());
+  }
+
+  // Vertices all around which faces are covered emit nothing.
+  void addVerticesInside(const std::vector<std::uint8_t>& isCovered)
+  {
+    std::vector<Id>& vertices = this->result_.vertices;
+    for (const SourceInFace& source : this->result_.inFaces)
+    {
+      for (const Id vertex : this->mesh_.triangle(source.face))
+      {
+        const auto corners = this->mesh_.cornersAt(vertex);
+        if (std::all_of(corners.begin(), corners.end(),
+              [&](Id corner) { return isCovered[TriangleMesh::faceOf(corner)] != 0; }))
+        {
+          vertices.push_back(vertex);
+        }
+      }
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  }
+
   void findNearVertices(Id face, const Barycentric& b)
   {
     for (std::size_t k = 0; k < 3; ++k)
@@ -182,6 +232,7 @@ private:
   }
 
   const TriangleMesh& mesh_;
+  const std::vector<SourceCurve>& given_;
   const CurvesOnPatch curves_;
   const Job& job_;
   std::size_t numberOfPoints_ = 0;

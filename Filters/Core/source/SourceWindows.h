@@ -42,6 +42,7 @@ struct SourceWindows
 };
 
 /// Joins the curves at their ends (CurveChains); windows and SourceInFace use the chains' numbers.
+/// No window leaves a face that a region covers: paths from inside begin at the outline.
 ///
 /// Emits linear windows to both sides of every segment, and circular windows from every vertex of a
 /// curve into its wedge: the directions at right angles or more to all its segments. A point where
@@ -50,9 +51,9 @@ struct SourceWindows
 SourceWindows makeSourceWindows(
   const TriangleMesh& mesh, const std::vector<SourceCurve>& curves, const Job& job = {});
 
-/// This rank's share of the sources on a replicated patch: the windows that leave its own faces,
-/// the sources in these faces and in the halo, and the vertices in its partition. In one process
-/// that is all.
+/// This rank's share of the sources on a replicated patch: the windows that leave this rank's own
+/// faces, the sources in own faces and in the halo, and the vertices of the partition. In one
+/// process that is all.
 ///
 /// \param onPatch from curves whose points lie in faces for which the patch was made.
 SourceWindows sourceWindowsOfPartition(

@@ -19,12 +19,12 @@ struct ExitEdge
   TwoDoubles length;
   /// Coefficients of the rotation into the frame behind the edge: for x and for depth of a source
   /// relative to the edge's begin.
-  TwoDoubles ofX;
-  TwoDoubles ofDepth;
+  TwoDoubles rotatedX;
+  TwoDoubles rotatedDepth;
   /// The known distances at the edge's end and begin.
-  TwoDoubles known;
-  /// The edge's length and 0.
-  TwoDoubles far;
+  TwoDoubles distanceAtEnds;
+  /// The places of the edge's end and begin: its length and 0.
+  TwoDoubles placeOfEnds;
   /// The angle from the halfedge to the edge, and whether windows carry angles.
   double turn;
   bool hasTurn = this->turn != 0.0;
@@ -74,9 +74,9 @@ inline TwoDoubles endsOnRight(const ExitEdge& right, const Window& w)
 // ends at once.
 inline bool isUseless(TwoDoubles ends, TwoDoubles source, double sigma, const ExitEdge& exit)
 {
-  const TwoDoubles ways = exit.far + ends * TwoDoubles(-1.0, 1.0);
+  const TwoDoubles ways = exit.placeOfEnds + ends * TwoDoubles(-1.0, 1.0);
   const TwoDoubles remaining =
-    (exit.known + ways) * TwoDoubles(1.0 + tolerance::Tie) - TwoDoubles(sigma);
+    (exit.distanceAtEnds + ways) * TwoDoubles(1.0 + tolerance::Tie) - TwoDoubles(sigma);
   const TwoDoubles dx = ends - source.firstTwice();
   const TwoDoubles depth = source.secondTwice();
   return (TwoDoubles::isGreater(TwoDoubles(0.0), remaining) |
@@ -90,8 +90,8 @@ void leaveLinear(const ExitEdge& exit, const Window& w, TwoDoubles ends, WindowL
   const double end = ends.second();
   const Window child =
     exit.isLeft ? exit.face.throughLeft(w, begin, end) : exit.face.throughRight(w, begin, end);
-  const bool useless = isBeaten(child, end, exit.known.second() + end) ||
-    isBeaten(child, begin, exit.known.first() + (exit.length.first() - begin));
+  const bool useless = isBeaten(child, end, exit.distanceAtEnds.second() + end) ||
+    isBeaten(child, begin, exit.distanceAtEnds.first() + (exit.length.first() - begin));
   if (!useless)
   {
     list.append(child);
@@ -114,8 +114,9 @@ inline void leaveThrough(
   }
   // moved(), but only what changes, written directly into the list
   const Vec2 origin = IsLeft ? Vec2{ 0.0, 0.0 } : Vec2(exit.face.apex);
-  const TwoDoubles unfolded = TwoDoubles(w.sourceX - origin.x) * exit.ofX +
-    TwoDoubles(w.sourceDepth + origin.y) * exit.ofDepth;
+  const TwoDoubles unfolded = TwoDoubles(w.sourceX - origin.x) * exit.rotatedX +
+    TwoDoubles(w.sourceDepth + origin.y) * exit.rotatedDepth;
+  // Rounding must not make the depth negative.
   const TwoDoubles source = TwoDoubles::raisedTo(TwoDoubles(-Infinity, 0.0), unfolded);
   if (!isUseless(ends, source, w.sigma, exit))
   {

@@ -40,10 +40,11 @@ struct PointOverHalfedge : Vec2
 /// A window: an interval of a halfedge and the pencil of rays that enters the halfedge's face
 /// through it (paper, sections 3.2 and 4.2.1).
 ///
-/// Coordinates refer to the halfedge: it is the x axis from its origin, its face lies above it, the
-/// unfolded source below or on it. A window keeps the source itself instead of the distances at its
-/// ends: recomputing the source from them, as in section 3.2, loses most digits if the interval is
-/// narrow. The distance function of a linear window includes the pseudo-source's distance sigma.
+/// Coordinates refer to the halfedge: the x axis runs along the halfedge from its origin, the face
+/// lies above, and the unfolded source below or on the axis. A window keeps the source itself
+/// instead of the distances at the interval's ends: recomputing the source from these distances, as
+/// in section 3.2, loses most digits if the interval is narrow. The distance function of a linear
+/// window includes the pseudo-source's distance sigma.
 struct Window
 {
   // Not a class: GCC 12 cannot initialise bit-fields of enumeration classes by braces.
@@ -54,8 +55,10 @@ struct Window
     /// Rays are parallel to the unit vector (sourceX, sourceDepth); the distance at the halfedge's
     /// origin is sigma.
     Linear,
-    /// Circular, too, after a turn around a vertex near the source in the other direction than
-    /// Circular ones. Around a cone both kinds unfold to the same source, but are no one pencil.
+    /// Circular, too. Rays of a source beside a vertex turn around the vertex to the left and to
+    /// the right. Windows of the two directions never become one, although around a cone both may
+    /// have the same source in the plane: those of one direction are CircularAround, the others
+    /// Circular.
     CircularAround
   };
 

@@ -12,8 +12,9 @@
 namespace geodesic
 {
 
-/// Which values of other ranks a rank has copies of, such as those at points that it has too: asked
-/// for once, then any number of arrays can be copied.
+/// The values of other ranks of which this rank has copies, such as values at points that several
+/// ranks have. Ranks tell each other once which values these are; then any number of arrays can be
+/// copied.
 class BorrowedValues
 {
 public:
@@ -94,8 +95,8 @@ public:
 
 private:
   std::size_t count_ = 0;
-  /// For each rank, the values of this one that it borrows, and the copies that it gives this one,
-  /// in the same order there.
+  /// For each other rank, the values of this rank that it borrows, and the copies of its values
+  /// that this rank has; both in the order in which they are sent.
   std::vector<std::vector<Id>> lent_;
   std::vector<std::vector<std::size_t>> borrowed_;
 };

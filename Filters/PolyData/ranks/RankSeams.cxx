@@ -3,6 +3,7 @@
 
 #include "PolyData/Hash.h"
 #include "Questions.h"
+#include "mesh/Box.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -38,11 +39,13 @@ std::vector<Keyed<Vec3>> placesNearOthers(const std::vector<Vec3>& vertices, Exc
   {
     own.add(p);
   }
-  const OtherRanks others(own, exchange);
+  std::vector<Box> others = valuesOfRanks(exchange, own);
+  others.erase(others.begin() + exchange.rank());
   std::vector<Keyed<Vec3>> places;
   for (Id vertex = 0; vertex < vertices.size(); ++vertex)
   {
-    if (others.areNear(vertices[vertex], 0.0))
+    if (std::any_of(others.begin(), others.end(),
+          [&](const Box& box) { return box.holds(vertices[vertex]); }))
     {
       places.emplace_back(vertices[vertex], vertex);
     }

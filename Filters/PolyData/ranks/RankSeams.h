@@ -5,9 +5,7 @@
 #include "Exchange.h"
 #include "PolyData/ranks/BorrowedValues.h"
 #include "Types.h"
-#include "mesh/Box.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -56,40 +54,6 @@ RankLabels joinSameVertices(const std::vector<Vec3>& vertices, bool byPlace,
 /// \returns one value for each vertex without faces, in their order.
 BorrowedValues findValuesElsewhere(
   const RankLabels& labels, const std::vector<Id>& ownNumbers, Exchange& exchange);
-
-/// \param margin to all sides of the point.
-inline Box boxAround(const Vec3& point, double margin)
-{
-  const Vec3 margins = { margin, margin, margin };
-  return { point - margins, point + margins };
-}
-
-/// The bounding boxes of what the other ranks have.
-class OtherRanks
-{
-public:
-  /// All ranks make theirs together.
-  ///
-  /// \param own of what this rank has.
-  OtherRanks(const Box& own, Exchange& exchange)
-    : boxes_(valuesOfRanks(exchange, own))
-  {
-    this->boxes_.erase(this->boxes_.begin() + exchange.rank());
-  }
-
-  bool areNear(const Vec3& point, double margin) const
-  {
-    return this->areNear(boxAround(point, margin));
-  }
-  bool areNear(const Box& around) const
-  {
-    return std::any_of(this->boxes_.begin(), this->boxes_.end(),
-      [&around](const Box& box) { return box.meets(around); });
-  }
-
-private:
-  std::vector<Box> boxes_;
-};
 
 }
 

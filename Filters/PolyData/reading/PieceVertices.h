@@ -5,6 +5,7 @@
 #include "PolyData/ranks/RankSeams.h"
 #include "PolyData/reading/PolyDataSurface.h"
 
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -61,6 +62,20 @@ struct PieceVertices
     this->positions.resize(count);
     known.resize(known.empty() ? 0 : count);
     this->of.renumber(std::move(numbers));
+  }
+
+  /// Makes one vertex of those with the same label, if ranks share any.
+  void joinSameLabels()
+  {
+    std::unordered_map<Label, Id> first;
+    std::vector<Id> same(this->positions.size());
+    for (Id vertex = 0; vertex < same.size(); ++vertex)
+    {
+      same[vertex] = this->labels.isSharedAt(vertex)
+        ? first.emplace(this->labels.of(vertex), vertex).first->second
+        : vertex;
+    }
+    this->join(same);
   }
 };
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/reading/SeamMerger.h"
 
-#include "PolyData/Hash.h"
+#include "PolyData/reading/PointGrid.h"
 #include "Tolerance.h"
-#include "mesh/Box.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <numeric>
-#include <set>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -56,80 +54,38 @@ private:
 /// Two vertices by their distance.
 using Pair = std::tuple<double, std::size_t, std::size_t>;
 
-/// The pairs of vertices that are close, nearest first. A vertex is looked for among those whose
-/// limit is as large or larger: for each power of two there is a grid of cells that large, so that
-/// the coarse coordinates of one block do not crowd the fine ones of another into one cell.
+/// The pairs of vertices that are close, nearest first.
 std::vector<Pair> closePairs(const std::vector<SeamVertex>& vertices, const Limits& limits)
 {
-  std::unordered_map<SeamCell, std::vector<std::size_t>, Hash> grid;
-  std::set<int> levels;
+  PointGrid grid;
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
-    const int level = *levels.insert(seamLevelFor(limits.at(vertices[i]))).first;
-    grid[seamCellAt(vertices[i].position, level)].push_back(i);
+    grid.add(vertices[i].position, limits.at(vertices[i]), i);
   }
   std::vector<Pair> pairs;
-  const auto lookInto = [&](const SeamCell& cell, std::size_t i)
-  {
-    const auto found = grid.find(cell);
-    for (std::size_t k = 0; found != grid.end() && k < found->second.size(); ++k)
-    {
-      const std::size_t j = found->second[k];
-      const double distance = norm(vertices[i].position - vertices[j].position);
-      if (i != j && distance <= limits.between(vertices[i], vertices[j]))
-      {
-        pairs.emplace_back(distance, std::min(i, j), std::max(i, j));
-      }
-    }
-  };
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
-    const auto least = levels.find(seamLevelFor(limits.at(vertices[i])));
-    for (auto level = least; level != levels.end(); ++level)
-    {
-      for (const SeamCell& cell : seamCellsAround(vertices[i].position, *level))
+    const SeamVertex& vertex = vertices[i];
+    // One of the two vertices reaches as far as the other one, and looks as far.
+    grid.visitNear(vertex.position, limits.at(vertex),
+      [&](std::size_t j)
       {
-        lookInto(cell, i);
-      }
-    }
+        const double distance = norm(vertex.position - vertices[j].position);
+        if (i != j && distance <= limits.between(vertex, vertices[j]))
+        {
+          pairs.emplace_back(distance, std::min(i, j), std::max(i, j));
+        }
+      });
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
-/// The vertices of all ranks that have another close by, in the order of their labels and then of
-/// the ranks: those that have one here, and those near the other ranks'.
-std::vector<SeamVertex> gatherClose(
-  const std::vector<SeamVertex>& own, const Limits& limits, Exchange& exchange)
+/// Makes one of what several ranks know of a vertex. Then vertices ascend.
+std::vector<SeamVertex> combineRanks(std::vector<SeamVertex> parts)
 {
-  std::vector<char> isWanted(own.size(), 0);
-  for (const auto& [distance, a, b] : closePairs(own, limits))
-  {
-    isWanted[a] = isWanted[b] = 1;
-  }
-  Box box;
-  for (const SeamVertex& vertex : own)
-  {
-    box.add(boxAround(vertex.position, limits.at(vertex)));
-  }
-  const OtherRanks others(box, exchange);
-  std::vector<SeamVertex> wanted;
-  for (std::size_t i = 0; i < own.size(); ++i)
-  {
-    if (isWanted[i] != 0 || others.areNear(own[i].position, limits.at(own[i])))
-    {
-      wanted.push_back(own[i]);
-    }
-  }
-  std::vector<SeamVertex> all = valuesOfRanks(exchange, wanted);
-  std::stable_sort(all.begin(), all.end(),
+  std::stable_sort(parts.begin(), parts.end(),
     [](const SeamVertex& a, const SeamVertex& b) { return a.label < b.label; });
-  return all;
-}
-
-/// Makes one of what several ranks know of a vertex, whose entries follow each other.
-std::vector<SeamVertex> combineRanks(const std::vector<SeamVertex>& parts)
-{
   std::vector<SeamVertex> vertices;
   for (const SeamVertex& part : parts)
   {
@@ -141,12 +97,66 @@ std::vector<SeamVertex> combineRanks(const std::vector<SeamVertex>& parts)
     SeamVertex& vertex = vertices.back();
     vertex.block = std::min(vertex.block, part.block);
     vertex.hasFace = vertex.hasFace || part.hasFace;
-    vertex.isOnBoundary = vertex.isOnBoundary || part.isOnBoundary;
+    vertex.isNearGhost = vertex.isNearGhost || part.isNearGhost;
     vertex.rounding = std::max(vertex.rounding, part.rounding);
     vertex.shortestEdge = std::min(vertex.shortestEdge, part.shortestEdge);
   }
   return vertices;
 }
+
+/// Marks the ends of the edges that have one face; faces on the same three vertices count as one.
+void markBoundary(std::vector<SeamEdge> edges, std::vector<SeamVertex>& vertices)
+{
+  std::sort(edges.begin(), edges.end());
+  for (auto first = edges.begin(); first != edges.end();)
+  {
+    const auto end = std::find_if(
+      first, edges.end(), [&first](const SeamEdge& edge) { return !edge.isOn(*first); });
+    const bool isOnBoundary = first->apex == (end - 1)->apex;
+    for (const Label label : { first->low, first->high })
+    {
+      const auto vertex = std::lower_bound(vertices.begin(), vertices.end(), label,
+        [](const SeamVertex& v, Label wanted) { return v.label < wanted; });
+      if (isOnBoundary && vertex != vertices.end() && vertex->label == label)
+      {
+        vertex->isOnBoundary = true;
+      }
+    }
+    first = end;
+  }
+}
+
+/// The vertices of all ranks that may be one with others, the same on each rank.
+std::vector<SeamVertex> findSeamVertices(const SeamSurface& surface, Exchange& exchange)
+{
+  SeamCandidates found = findCandidates(surface, exchange);
+  if (exchange.numberOfRanks() > 1)
+  {
+    found.vertices = combineRanks(valuesOfRanks(exchange, found.vertices));
+    found.edges = valuesOfRanks(exchange, found.edges);
+  }
+  markBoundary(std::move(found.edges), found.vertices);
+  const auto isInside = [](const SeamVertex& vertex)
+  { return vertex.hasFace && !vertex.isOnBoundary && !vertex.isNearGhost; };
+  std::vector<SeamVertex>& vertices = found.vertices;
+  vertices.erase(std::remove_if(vertices.begin(), vertices.end(), isInside), vertices.end());
+  return std::move(vertices);
+}
+
+/// The vertex that stands for several.
+struct JoinedVertex
+{
+  Label label;
+  Vec3 position;
+};
+
+/// Vertices that are one.
+struct JoinedVertices
+{
+  /// For the label of each vertex that is one with others, the vertex that stands for all.
+  std::map<Label, JoinedVertex> same;
+  std::uint64_t count = 0;
+};
 
 /// Groups of vertices that are all close to each other.
 class Groups
@@ -232,22 +242,51 @@ private:
   std::vector<std::size_t> groupOf_;
 };
 
+/// Makes one vertex of those that are one on this rank.
+void join(const JoinedVertices& joined, PieceVertices& vertices)
+{
+  std::vector<Label>& labels = vertices.labels.labels;
+  std::vector<Id> same(vertices.positions.size());
+  std::iota(same.begin(), same.end(), Id(0));
+  for (Id vertex = 0; vertex < same.size(); ++vertex)
+  {
+    const auto found = joined.same.find(vertices.labels.of(vertex));
+    if (found == joined.same.end())
+    {
+      continue;
+    }
+    vertices.positions[vertex] = found->second.position;
+    if (labels.empty())
+    {
+      same[vertex] = static_cast<Id>(found->second.label);
+    }
+    else
+    {
+      labels[vertex] = found->second.label | RankLabels::Shared;
+    }
+  }
+  vertices.join(same);
+  vertices.joinSameLabels();
 }
 
-JoinedVertices mergeSeams(const SeamSurface& surface, Exchange& exchange)
+}
+
+std::optional<std::uint64_t> mergeSeams(const SeamSurface& surface, Exchange& exchange)
 {
   const Limits limits{ surface.mergeTolerance };
-  std::vector<SeamVertex> vertices = findSeamVertices(surface, exchange);
-  if (exchange.numberOfRanks() > 1)
-  {
-    vertices = combineRanks(gatherClose(vertices, limits, exchange));
-  }
+  const std::vector<SeamVertex> vertices = findSeamVertices(surface, exchange);
   Groups groups(vertices, limits);
   for (const auto& [distance, a, b] : closePairs(vertices, limits))
   {
     groups.join(a, b);
   }
-  return groups.joined();
+  const JoinedVertices joined = groups.joined();
+  if (joined.same.empty())
+  {
+    return {};
+  }
+  join(joined, surface.vertices);
+  return joined.count;
 }
 
 }

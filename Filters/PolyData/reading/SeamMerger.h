@@ -3,32 +3,13 @@
 #define geodesic_SeamMerger_h
 
 #include "Exchange.h"
-#include "PolyData/ranks/RankSeams.h"
 #include "PolyData/reading/SeamVertices.h"
-#include "Types.h"
 
 #include <cstdint>
-#include <map>
+#include <optional>
 
 namespace geodesic
 {
-
-/// The vertex that stands for several.
-struct JoinedVertex
-{
-  RankLabels::Label label;
-  Vec3 position;
-};
-
-/// Vertices that are one.
-struct JoinedVertices
-{
-  /// For the label of each vertex that is one with others, the vertex that stands for all of them:
-  /// one with faces, of the first block, by its place, so that ranks do not count.
-  std::map<RankLabels::Label, JoinedVertex> same;
-  /// How many were joined with others, not counting those that only ghosts have.
-  std::uint64_t count = 0;
-};
 
 /// Where pieces of a surface meet, and along the cracks of one that was stored triangle by
 /// triangle, points may differ by roundings, and ghosts may differ from what they duplicate: each
@@ -36,10 +17,14 @@ struct JoinedVertices
 /// the boundary, or one that only ghosts have and any other, that are within the precision of the
 /// coordinates (tolerance::SeamRoundings, SeamFraction) or, on the boundary, within the user's
 /// tolerance. The nearest are joined first, and of those that are one all are as close to each
-/// other: no edge has both ends among them. All ranks call this together.
+/// other: no edge has both ends among them. One vertex stands for them: one with faces, of the
+/// first block, by its place, so that ranks do not count. All ranks call this together and decide
+/// the same from the same list of vertices.
 ///
-/// \returns the same on all ranks.
-JoinedVertices mergeSeams(const SeamSurface& surface, Exchange& exchange);
+/// \param surface gets its vertices joined.
+/// \returns how many vertices of all ranks were joined with others, not counting those that only
+///          ghosts have; nothing if no place changes.
+std::optional<std::uint64_t> mergeSeams(const SeamSurface& surface, Exchange& exchange);
 
 }
 

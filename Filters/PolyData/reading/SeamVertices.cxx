@@ -2,14 +2,11 @@
 #include "PolyData/reading/SeamVertices.h"
 
 #include "PolyData/Hash.h"
-#include "Questions.h"
+#include "PolyData/reading/PointGrid.h"
 #include "Tolerance.h"
 
 #include <algorithm>
-#include <cmath>
-#include <tuple>
-#include <unordered_map>
-#include <unordered_set>
+#include <array>
 #include <utility>
 
 namespace geodesic
@@ -18,16 +15,13 @@ namespace geodesic
 namespace
 {
 
-using Label = RankLabels::Label;
-using Cells = std::unordered_set<SeamCell, Hash>;
-
 /// The vertices that can be on the boundary, and some others where the orientation of faces
 /// changes. At each vertex the neighbours are summed up, as hashes, each face adding the next and
 /// taking away the previous of its corners: around an inner vertex the sum is 0. That takes a
 /// fraction of the time of matching edges.
 std::vector<bool> vertexMayBeOnBoundary(const SeamSurface& surface)
 {
-  std::vector<std::uint64_t> sums(surface.vertices.size(), 0);
+  std::vector<std::uint64_t> sums(surface.vertices.positions.size(), 0);
   surface.forEachTriangle(
     [&sums](const Triangle& t, std::size_t, bool isGhost)
     {
@@ -51,14 +45,14 @@ std::vector<bool> vertexMayBeOnBoundary(const SeamSurface& surface)
   return mayBe;
 }
 
-/// The corners of this rank's ghosts.
-std::vector<Id> ghostCorners(const SeamSurface& surface)
+/// The places of the corners of this rank's ghosts.
+std::vector<Vec3> ghostCorners(const SeamSurface& surface)
 {
-  std::vector<Id> corners;
   if (!surface.hasGhosts())
   {
-    return corners; // the rule
+    return {}; // the rule
   }
+  std::vector<Id> corners;
   surface.forEachTriangle(
     [&corners](const Triangle& triangle, std::size_t, bool isGhost)
     {
@@ -69,122 +63,12 @@ std::vector<Id> ghostCorners(const SeamSurface& surface)
     });
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  return corners;
-}
-
-/// The cubes of a level that have all points near the corner of a ghost of any rank: all points
-/// whose coordinates differ by at most half a cube.
-Cells cellsNear(
-  const std::vector<Id>& corners, const std::vector<Vec3>& vertices, int level, Exchange& exchange)
-{
-  std::vector<Vec3> own;
+  std::vector<Vec3> places;
   for (const Id vertex : corners)
   {
-    own.push_back(vertices[vertex]);
+    places.push_back(surface.vertices.positions[vertex]);
   }
-  Cells near;
-  for (const Vec3& point : valuesOfRanks(exchange, own))
-  {
-    const std::array<SeamCell, 8> cells = seamCellsAround(point, level);
-    near.insert(cells.begin(), cells.end());
-  }
-  return near;
-}
-
-/// An edge of a face, and the face's third vertex.
-struct EdgeOfFace
-{
-  Id low;
-  Id high;
-  Id apex;
-
-  bool isOn(const EdgeOfFace& edge) const
-  {
-    return this->low == edge.low && this->high == edge.high;
-  }
-  bool operator<(const EdgeOfFace& other) const
-  {
-    return std::tie(this->low, this->high, this->apex) <
-      std::tie(other.low, other.high, other.apex);
-  }
-};
-
-/// Whether an edge has one face only, among those that ranks tell of.
-struct FacesAtEdge
-{
-  Label apex;
-  bool areOne = true;
-};
-
-/// Takes out the edges that have several faces on all ranks together, which call this together.
-///
-/// \param edges one of each edge, with the apex of its first face.
-/// \param haveOneFace of each edge, whether this rank has one face there.
-void keepBoundary(const RankLabels& labels, std::vector<EdgeOfFace>& edges,
-  std::vector<char>& haveOneFace, Exchange& exchange)
-{
-  using Key = std::array<Label, 2>;
-  Questions questions(exchange);
-  const auto ranks = static_cast<std::uint64_t>(exchange.numberOfRanks());
-  for (std::size_t i = 0; i < edges.size(); ++i)
-  {
-    if (labels.isSharedAt(edges[i].low) && labels.isSharedAt(edges[i].high))
-    {
-      Key key{ labels.of(edges[i].low), labels.of(edges[i].high) };
-      std::sort(key.begin(), key.end());
-      questions.ask(static_cast<int>(hashOf(key) % ranks), i, key, labels.of(edges[i].apex),
-        haveOneFace[i] != 0);
-    }
-  }
-  std::unordered_map<Key, FacesAtEdge, Hash> known;
-  questions.exchangeAnswers(
-    [&](int, MessageReader& question)
-    {
-      const Key key = question.get<Key>();
-      const auto apex = question.get<Label>();
-      const bool isOne = question.get<bool>();
-      FacesAtEdge& faces = known.try_emplace(key, FacesAtEdge{ apex }).first->second;
-      faces.areOne = faces.areOne && isOne && faces.apex == apex;
-    },
-    [&](MessageReader& question, Message& answer)
-    {
-      put(answer, known.at(question.get<Key>()).areOne);
-      question.get<Label>();
-      question.get<bool>();
-    },
-    [&](std::size_t i, MessageReader& answer) { haveOneFace[i] = answer.get<bool>() ? 1 : 0; });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < edges.size(); ++i)
-  {
-    if (haveOneFace[i] != 0)
-    {
-      edges[kept++] = edges[i];
-    }
-  }
-  edges.resize(kept);
-}
-
-/// The boundary edges of the whole surface that this rank has, of these edges of faces.
-std::vector<EdgeOfFace> boundaryAmong(
-  std::vector<EdgeOfFace> ofFaces, const RankLabels& labels, Exchange& exchange)
-{
-  std::sort(ofFaces.begin(), ofFaces.end());
-  std::vector<EdgeOfFace> edges;
-  std::vector<char> haveOneFace;
-  for (const EdgeOfFace& edge : ofFaces)
-  {
-    if (edges.empty() || !edges.back().isOn(edge))
-    {
-      edges.push_back(edge);
-      haveOneFace.push_back(1);
-    }
-    else if (edges.back().apex != edge.apex)
-    {
-      haveOneFace.back() = 0;
-    }
-  }
-  keepBoundary(labels, edges, haveOneFace, exchange);
-  return edges;
+  return places;
 }
 
 /// What is found at the vertices that may have to be joined, in one pass over the triangles.
@@ -193,32 +77,36 @@ struct Candidates
   const SeamSurface& surface;
   /// The number of each vertex among the candidates; NoId for others.
   std::vector<Id> numbers{};
-  std::vector<SeamVertex> vertices{};
-  /// The edges between candidates.
-  std::vector<EdgeOfFace> edges{};
+  SeamCandidates found{};
 
   void addVertex(Id vertex, bool isNearGhost)
   {
-    this->numbers[vertex] = static_cast<Id>(this->vertices.size());
-    SeamVertex& added = this->vertices.emplace_back();
-    added.label = this->surface.labels.of(vertex);
-    added.position = this->surface.vertices[vertex];
-    added.isShared = this->surface.labels.isSharedAt(vertex);
+    this->numbers[vertex] = static_cast<Id>(this->found.vertices.size());
+    SeamVertex& added = this->found.vertices.emplace_back();
+    added.label = this->surface.vertices.labels.of(vertex);
+    added.position = this->surface.vertices.positions[vertex];
     added.isNearGhost = isNearGhost;
   }
 
   void addCorner(const Triangle& t, std::size_t k, std::size_t block, bool isGhost)
   {
-    SeamVertex& vertex = this->vertices[this->numbers[t[k]]];
+    SeamVertex& vertex = this->found.vertices[this->numbers[t[k]]];
     vertex.hasFace = vertex.hasFace || !isGhost;
     vertex.block = isGhost ? vertex.block : std::min(vertex.block, block);
     for (const std::size_t other : { (k + 1) % 3, (k + 2) % 3 })
     {
-      const Vec3& p = this->surface.vertices[t[other]];
+      const Vec3& p = this->surface.vertices.positions[t[other]];
       const double largest = std::max(largestCoordinate(vertex.position), largestCoordinate(p));
       vertex.rounding = std::max(vertex.rounding, this->surface.precisions[block] * largest);
       vertex.shortestEdge = std::min(vertex.shortestEdge, norm(p - vertex.position));
     }
+  }
+
+  void addEdge(Id a, Id b, Id apex)
+  {
+    const RankLabels& labels = this->surface.vertices.labels;
+    const auto [low, high] = std::minmax({ labels.of(a), labels.of(b) });
+    this->found.edges.push_back({ low, high, labels.of(apex) });
   }
 
   void addTriangles()
@@ -241,8 +129,7 @@ struct Candidates
           }
           if (!isGhost && areCandidates[k] && areCandidates[next])
           {
-            const auto [low, high] = std::minmax(t[k], t[next]);
-            this->edges.push_back({ low, high, t[(k + 2) % 3] });
+            this->addEdge(t[k], t[next], t[(k + 2) % 3]);
           }
         }
       });
@@ -251,81 +138,44 @@ struct Candidates
 
 }
 
-std::vector<SeamVertex> findSeamVertices(const SeamSurface& surface, Exchange& exchange)
+SeamCandidates findCandidates(const SeamSurface& surface, Exchange& exchange)
 {
   const std::vector<bool> mayBeOnBoundary = vertexMayBeOnBoundary(surface);
-  const std::vector<Id> corners = ghostCorners(surface);
-  if (!exchange.isTrueAnywhere(!mayBeOnBoundary.empty() || !corners.empty()))
-  {
-    return {};
-  }
+  const std::vector<Vec3> corners = valuesOfRanks(exchange, ghostCorners(surface));
   double precision = 0.0;
   for (const double ofBlock : surface.precisions)
   {
     precision = std::max(precision, ofBlock);
   }
-  const int level =
-    seamLevelFor(tolerance::SeamRoundings * exchange.largestOf(precision) * surface.largest);
-  const Cells near = cellsNear(corners, surface.vertices, level, exchange);
-  Candidates candidates{ surface };
-  candidates.numbers.assign(surface.vertices.size(), NoId);
-  for (Id vertex = 0; vertex < surface.vertices.size(); ++vertex)
+  const double reach = tolerance::SeamRoundings * exchange.largestOf(precision) * surface.largest;
+  if (mayBeOnBoundary.empty() && corners.empty())
   {
-    const bool isNearGhost =
-      !near.empty() && near.count(seamCellAt(surface.vertices[vertex], level)) > 0;
+    return {};
+  }
+  PointGrid grid;
+  for (const Vec3& corner : corners)
+  {
+    grid.add(corner, reach, 0);
+  }
+  const std::vector<Vec3>& positions = surface.vertices.positions;
+  Candidates candidates{ surface };
+  candidates.numbers.assign(positions.size(), NoId);
+  for (Id vertex = 0; vertex < positions.size(); ++vertex)
+  {
+    bool isNearGhost = false;
+    grid.visitNear(positions[vertex], reach, [&](std::size_t) { isNearGhost = true; });
     if (isNearGhost || (!mayBeOnBoundary.empty() && mayBeOnBoundary[vertex]))
     {
       candidates.addVertex(vertex, isNearGhost);
     }
   }
   candidates.addTriangles();
-  std::vector<SeamVertex>& vertices = candidates.vertices;
-  for (const EdgeOfFace& edge :
-    boundaryAmong(std::move(candidates.edges), surface.labels, exchange))
-  {
-    vertices[candidates.numbers[edge.low]].isOnBoundary = true;
-    vertices[candidates.numbers[edge.high]].isOnBoundary = true;
-  }
+  std::vector<SeamVertex>& vertices = candidates.found.vertices;
   vertices.erase(std::remove_if(vertices.begin(), vertices.end(),
                    [](const SeamVertex& vertex)
-                   {
-                     const bool isPlain =
-                       vertex.hasFace && !vertex.isOnBoundary && !vertex.isNearGhost;
-                     return !(vertex.shortestEdge > 0.0 && vertex.shortestEdge < Infinity) ||
-                       (isPlain && !vertex.isShared);
-                   }),
+                   { return !(vertex.shortestEdge > 0.0 && vertex.shortestEdge < Infinity); }),
     vertices.end());
-  return std::move(vertices);
-}
-
-int seamLevelFor(double distance)
-{
-  return std::ilogb(distance) + 2;
-}
-
-SeamCell seamCellAt(const Vec3& point, int level, double shift)
-{
-  SeamCell cell{};
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    cell[k] = static_cast<std::int64_t>(std::floor(std::ldexp(point[k], -level) + shift));
-  }
-  cell[3] = level;
-  return cell;
-}
-
-std::array<SeamCell, 8> seamCellsAround(const Vec3& point, int level)
-{
-  std::array<SeamCell, 8> cells;
-  cells.fill(seamCellAt(point, level, -0.5));
-  for (std::size_t side = 0; side < cells.size(); ++side)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      cells[side][k] += static_cast<std::int64_t>(side >> k & 1U);
-    }
-  }
-  return cells;
+  return std::move(candidates.found);
 }
 
 double SeamVertex::tolerance() const

@@ -3,16 +3,14 @@
 #define geodesic_SeamVertices_h
 
 #include "Exchange.h"
-#include "PolyData/ranks/RankSeams.h"
-#include "PolyData/reading/PolyDataSurface.h"
+#include "PolyData/reading/PieceVertices.h"
 #include "PolyData/reading/TriangleReader.h"
 #include "Types.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace geodesic
@@ -22,10 +20,8 @@ namespace geodesic
 /// ranks share, are one vertex already.
 struct SeamSurface
 {
-  const std::vector<Vec3>& vertices;
-  const RankLabels& labels;
+  PieceVertices& vertices;
   const TriangleList& triangles;
-  const VertexOfPoint& vertexOf;
   /// The relative precision of the coordinates, of each block.
   std::vector<double> precisions;
   /// The largest coordinate of a vertex of any rank's triangles.
@@ -44,7 +40,7 @@ struct SeamSurface
   void forEachTriangle(const Visit& visit) const
   {
     // Most surfaces have no table of vertices and no ghosts.
-    const bool isPlain = this->vertexOf.isIdentity() && !this->hasGhosts();
+    const bool isPlain = this->vertices.of.isIdentity() && !this->hasGhosts();
     for (std::size_t block = 0; block < this->precisions.size(); ++block)
     {
       const std::size_t first = this->triangles.firstOfBlock[block];
@@ -55,7 +51,7 @@ struct SeamSurface
       }
       for (std::size_t i = first; i < end && !isPlain; ++i)
       {
-        visit(this->vertexOf(this->triangles.corners[i]), block, this->triangles.isDuplicate[i]);
+        visit(this->vertices.of(this->triangles.corners[i]), block, this->triangles.isDuplicate[i]);
       }
     }
   }
@@ -72,8 +68,6 @@ struct SeamVertex
   bool hasFace = false;
   /// Whether it is on the boundary of the whole surface.
   bool isOnBoundary = false;
-  /// Whether other ranks have it, too.
-  bool isShared = false;
   /// Whether it may be near a vertex that only ghosts have.
   bool isNearGhost = false;
   /// The rounding of coordinates around.
@@ -84,23 +78,33 @@ struct SeamVertex
   double tolerance() const;
 };
 
-/// A cube of a grid whose edges are a power of two, the last number.
-using SeamCell = std::array<std::int64_t, 4>;
+/// An edge of a face, and the face's third vertex.
+struct SeamEdge
+{
+  RankLabels::Label low;
+  RankLabels::Label high;
+  RankLabels::Label apex;
 
-/// The least cubes that are twice as large as a distance, or larger.
-int seamLevelFor(double distance);
-/// \param shift of the point, in cubes.
-SeamCell seamCellAt(const Vec3& point, int level, double shift = 0.0);
-/// The cubes that have all points whose coordinates differ by at most half a cube.
-std::array<SeamCell, 8> seamCellsAround(const Vec3& point, int level);
+  bool isOn(const SeamEdge& edge) const { return this->low == edge.low && this->high == edge.high; }
+  bool operator<(const SeamEdge& other) const
+  {
+    return std::tie(this->low, this->high, this->apex) <
+      std::tie(other.low, other.high, other.apex);
+  }
+};
 
-/// The vertices of this rank that may be one with others of any rank: those on the boundary of the
-/// whole surface, those that only ghosts have, and those near such a ghost's corner. A vertex that
-/// other ranks have, too, is there on each, with what the rank knows of it. All ranks call this
-/// together.
-///
-/// An edge is boundary if one face has it; faces on the same three vertices count as one.
-std::vector<SeamVertex> findSeamVertices(const SeamSurface& surface, Exchange& exchange);
+/// What a rank knows of the vertices that may be one with others of any rank: those that can be on
+/// the boundary of the surface, those that only ghosts have, and those near such a ghost's corner.
+struct SeamCandidates
+{
+  /// Ascending. Several ranks may have one of them, each with what that rank knows of it.
+  std::vector<SeamVertex> vertices;
+  /// The edges of faces between candidates, in no order.
+  std::vector<SeamEdge> edges;
+};
+
+/// All ranks call this together.
+SeamCandidates findCandidates(const SeamSurface& surface, Exchange& exchange);
 
 }
 

@@ -3,6 +3,7 @@
 
 #include "PolyData/reading/LineChains.h"
 #include "PolyData/reading/PolyDataSurface.h"
+#include "PolyData/reading/SourceFaces.h"
 #include "mesh/SurfaceSnap.h"
 
 #include "vtkPolyData.h"
@@ -55,6 +56,25 @@ void findVertices(const PolyDataSurface& surface, double coordinatePrecision, Lo
   {
     line.vertices[i] =
       vertexIfThere(surface, line.vertices[i], line.points[i], coordinatePrecision);
+  }
+}
+
+/// \throws SourceError if a point is too far away.
+void scalePoints(
+  const PolyDataSurface& surface, double coordinatePrecision, std::vector<LocatedPolyline>& lines)
+{
+  for (LocatedPolyline& line : lines)
+  {
+    for (std::size_t i = 0; i < line.points.size(); ++i)
+    {
+      line.points[i] = surface.scale.toEngine(line.points[i]);
+      if (!(norm(line.points[i]) < Infinity))
+      {
+        throw SourceError(line.nameOfPoint(i).atBeginning() +
+          " is too far from the surface for its size. Scale or move the source upstream.");
+      }
+    }
+    findVertices(surface, coordinatePrecision, line);
   }
 }
 
@@ -200,21 +220,24 @@ struct SourceBlockReader
     this->addCurve(closed ? size - 1 : size, ids, closed);
   }
 
-  void addPolygon(vtkIdType size, const vtkIdType* ids) { this->addCurve(size, ids, true); }
+  void addPolygon(vtkIdType size, const vtkIdType* ids)
+  {
+    this->addCurve(size, ids, true);
+    if (size > 2)
+    {
+      this->sources.faces.push_back(std::move(this->sources.polylines.back()));
+      this->sources.polylines.pop_back();
+    }
+  }
 
-  /// The outline runs along the even points and back along the odd ones.
   void addStrip(vtkIdType size, const vtkIdType* ids)
   {
-    std::vector<vtkIdType> outline;
-    for (vtkIdType i = 0; i < size; i += 2)
+    for (vtkIdType i = 0; i + 2 < size; ++i)
     {
-      outline.push_back(ids[i]);
+      const vtkIdType odd = i % 2;
+      const vtkIdType corners[] = { ids[i], ids[i + 1 + odd], ids[i + 2 - odd] };
+      this->addPolygon(3, corners);
     }
-    for (vtkIdType i = size - 1 - size % 2; i > 0; i -= 2)
-    {
-      outline.push_back(ids[i]);
-    }
-    this->addCurve(size, outline.data(), true);
   }
 };
 
@@ -265,9 +288,12 @@ void makeSources(const std::vector<vtkIdType>& names, const std::vector<std::str
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   const auto placeOf = [&](vtkIdType number)
   { return std::lower_bound(ids.begin(), ids.end(), nameOf(number)) - ids.begin(); };
-  for (LocatedPolyline& line : sources.polylines)
+  for (std::vector<LocatedPolyline>* lines : { &sources.polylines, &sources.faces })
   {
-    line.source = static_cast<Id>(placeOf(line.source));
+    for (LocatedPolyline& line : *lines)
+    {
+      line.source = static_cast<Id>(placeOf(line.source));
+    }
   }
   sources.names.resize(called.empty() ? 0 : ids.size());
   for (auto number = numbers.rbegin(); !called.empty() && number != numbers.rend(); ++number)
@@ -278,6 +304,14 @@ void makeSources(const std::vector<vtkIdType>& names, const std::vector<std::str
   sources.idEnd = names.empty() ? sources.idEnd : ids.back() + 1;
 }
 
+void removeIds(const std::vector<Id>& gone, std::vector<vtkIdType>& ids)
+{
+  ids.erase(std::remove_if(ids.begin(), ids.end(),
+              [&gone](vtkIdType id)
+              { return std::binary_search(gone.begin(), gone.end(), static_cast<Id>(id)); }),
+    ids.end());
+}
+
 /// Joins lines of one name to curves.
 void joinLines(const std::vector<vtkIdType>& names, SourcePolylines& sources)
 {
@@ -286,12 +320,24 @@ void joinLines(const std::vector<vtkIdType>& names, SourcePolylines& sources)
   {
     parts.push_back(names[sources.polylines[sources.lines[i]].source]);
   }
-  const std::vector<Id> gone = joinLines(sources.polylines, sources.lines, parts);
-  std::vector<vtkIdType>& ids = sources.ids;
-  ids.erase(std::remove_if(ids.begin(), ids.end(),
-              [&gone](vtkIdType id)
-              { return std::binary_search(gone.begin(), gone.end(), static_cast<Id>(id)); }),
-    ids.end());
+  removeIds(joinLines(sources.polylines, sources.lines, parts), sources.ids);
+}
+
+/// Makes regions of faces of one name; without names, of those with a common edge, if they are
+/// joined.
+void joinFaces(const std::vector<vtkIdType>& names, bool areJoined, SourcePolylines& sources)
+{
+  std::vector<vtkIdType> values;
+  for (const LocatedPolyline& face : sources.faces)
+  {
+    values.push_back(names.empty() ? static_cast<vtkIdType>(face.source) : names[face.source]);
+  }
+  const std::vector<Id> gone =
+    makeRegions(sources.faces, values, areJoined && names.empty(), sources.polylines);
+  if (names.empty())
+  {
+    removeIds(gone, sources.ids);
+  }
 }
 
 /// \throws SourceError
@@ -299,10 +345,11 @@ void joinLines(const std::vector<vtkIdType>& names, SourcePolylines& sources)
 {
   if (sources.droppedCells > 0)
   {
-    throw SourceError("The source (input port 1) has no line or vertex with points among its " +
+    throw SourceError(
+      "The source (input port 1) has no vertex, line or flat face with points among its " +
       std::to_string(sources.droppedCells) +
-      " cells. Apply Extract Surface to it for the outlines of its faces, Feature Edges after that "
-      "for its edges, or take some of its points by Extract Selection.");
+      " cells. Apply Extract Surface to it for its faces, Feature Edges after that for its edges, "
+      "or take some of its points by Extract Selection.");
   }
   throw SourceError(
     "The source (input port 1) is empty: it has no points that a line or vertex uses. Connect a "
@@ -419,7 +466,7 @@ SourcePolylines readSource(
   {
     used.push_back(SourceBlockReader{ block, result }.read());
   }
-  if (result.polylines.empty())
+  if (result.polylines.empty() && result.faces.empty())
   {
     throwEmpty(result);
   }
@@ -432,24 +479,14 @@ SourcePolylines readSource(
     }
   }
   const double precision = coordinatePrecisionOf(source);
-  for (LocatedPolyline& line : result.polylines)
-  {
-    for (std::size_t i = 0; i < line.points.size(); ++i)
-    {
-      line.points[i] = surface.scale.toEngine(line.points[i]);
-      if (!(norm(line.points[i]) < Infinity))
-      {
-        throw SourceError(line.nameOfPoint(i).atBeginning() +
-          " is too far from the surface for its size. Scale or move the source upstream.");
-      }
-    }
-    findVertices(surface, precision, line);
-  }
+  scalePoints(surface, precision, result.polylines);
+  scalePoints(surface, precision, result.faces);
   const std::vector<vtkIdType> names = namesOfParts(source, result.ids);
   if (areLinesJoined)
   {
     joinLines(names, result);
   }
+  joinFaces(names, areLinesJoined, result);
   std::vector<std::string> called;
   for (const PolyDataBlock& block : source)
   {

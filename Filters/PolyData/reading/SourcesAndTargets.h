@@ -22,6 +22,8 @@ struct SourcePolylines
   std::vector<LocatedPolyline> polylines;
   /// The numbers of those that are cells of two points.
   std::vector<std::size_t> lines;
+  /// The faces of regions, whose outlines are among the polylines; see SourceFaces.h.
+  std::vector<LocatedPolyline> faces;
   /// The ids of the sources, ascending; LocatedPolyline::source is the place of one here. A cell of
   /// a vtkPolyData without points is a source, and has no polyline; a point that no vertex cell of
   /// a set of points has is none.
@@ -30,20 +32,21 @@ struct SourcePolylines
   std::vector<std::string> names;
   /// All of these are below.
   vtkIdType idEnd = 0;
-  /// Cells that are neither lines nor vertices and were left out.
+  /// Cells that are neither vertices, lines nor flat faces and were left out.
   vtkIdType droppedCells = 0;
 };
 
 /// Reads the curves of all blocks, whose points are yet to be located: every line and polyline is a
-/// curve, every point of a vertex cell a point source, polygons and strips stand for their
-/// outlines. A block of vertex cells only is a set of points, as is one without any cell, all of
-/// whose points are sources. The id of a source is the number of its cell, or of its point in a set
-/// of points, over all blocks in their order. If blocks have PolyDataBlock::sourceIds, all that has
-/// one value is a source with this id.
+/// curve, every point of a vertex cell a point source; polygons and strips make regions. A block of
+/// vertex cells only is a set of points, as is one without any cell, all of whose points are
+/// sources. The id of a source is the number of its cell, or of its point in a set of points, over
+/// all blocks in their order. If blocks have PolyDataBlock::sourceIds, all that has one value is a
+/// source with this id.
 ///
 /// \param surface that they belong to; the polylines have its scale. Points that name one of its
 ///        points and lie there are this vertex.
-/// \param areLinesJoined whether cells of two points that meet are one curve: see LineChains.h.
+/// \param areLinesJoined whether cells of two points that meet are one curve (LineChains.h), and
+///        faces with a common edge one region, where no values tell what is one source.
 /// \throws SourceError where there is no point, one is not finite, or a value is no id.
 SourcePolylines readSource(
   const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface, bool areLinesJoined);

@@ -19,7 +19,7 @@
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -333,40 +333,17 @@ struct SurfaceReader
   /// Joins vertices that only the precision of coordinates, or the user's tolerance, keeps apart.
   void joinSeams(std::vector<double> precisions)
   {
-    const JoinedVertices joined =
-      mergeSeams({ this->vertices.positions, this->vertices.labels, this->triangles,
-                   this->vertices.of, std::move(precisions), this->largestCoordinate,
+    const std::optional<std::uint64_t> joined =
+      mergeSeams({ this->vertices, this->triangles, std::move(precisions), this->largestCoordinate,
                    this->scale.toEngine(this->merging.tolerance) },
         this->exchange);
-    if (joined.same.empty())
+    if (!joined)
     {
       return;
     }
     // All ranks have counted the same.
     this->report.joinedSeamPoints =
-      this->exchange.rank() == 0 ? static_cast<vtkIdType>(joined.count) : 0;
-    std::vector<RankLabels::Label>& labels = this->vertices.labels.labels;
-    std::vector<Id> same(this->vertices.positions.size());
-    std::iota(same.begin(), same.end(), Id(0));
-    for (Id vertex = 0; vertex < same.size(); ++vertex)
-    {
-      const auto found = joined.same.find(this->vertices.labels.of(vertex));
-      if (found == joined.same.end())
-      {
-        continue;
-      }
-      this->vertices.positions[vertex] = found->second.position;
-      if (labels.empty())
-      {
-        same[vertex] = static_cast<Id>(found->second.label);
-      }
-      else
-      {
-        labels[vertex] = found->second.label | RankLabels::Shared;
-      }
-    }
-    this->vertices.join(same);
-    joinSameLabels(this->vertices);
+      this->exchange.rank() == 0 ? static_cast<vtkIdType>(*joined) : 0;
     this->box = this->boxOf(this->triangles.corners, this->vertices.of);
   }
 
@@ -390,7 +367,7 @@ struct SurfaceReader
     }
   }
 
-  /// Takes the faces, in the memory of the triangles.
+  /// Takes the faces. Those of the mesh reuse the memory of the triangles, which are gone then.
   Faces takeFaces()
   {
     Faces faces;

@@ -6,7 +6,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <unordered_map>
 #include <utility>
 
 namespace geodesic
@@ -55,24 +54,7 @@ void joinRanks(const std::vector<PolyDataBlock>& inputs, const std::vector<Surfa
   }
   vertices.labels = joinSameVertices(
     vertices.positions, byPlace, globalIds(inputs, blocks, vertices.of, exchange), exchange);
-  joinSameLabels(vertices);
-}
-
-void joinSameLabels(PieceVertices& vertices)
-{
-  const RankLabels& labels = vertices.labels;
-  if (labels.labels.empty())
-  {
-    return;
-  }
-  std::unordered_map<RankLabels::Label, Id> first;
-  std::vector<Id> same(vertices.positions.size());
-  for (Id vertex = 0; vertex < same.size(); ++vertex)
-  {
-    same[vertex] =
-      labels.isSharedAt(vertex) ? first.emplace(labels.of(vertex), vertex).first->second : vertex;
-  }
-  vertices.join(same);
+  vertices.joinSameLabels();
 }
 
 std::vector<Id> keepUsedVertices(std::vector<Triangle>& faces, const Exchange& exchange,

@@ -20,9 +20,6 @@ namespace geodesic
 void joinRanks(const std::vector<PolyDataBlock>& inputs, const std::vector<SurfaceBlock>& blocks,
   bool byPlace, Exchange& exchange, PieceVertices& vertices);
 
-/// Makes one vertex of those with the same label, if ranks share any.
-void joinSameLabels(PieceVertices& vertices);
-
 /// If ranks share the surface, leaves only the vertices that faces use, in the order of use. One
 /// process keeps the others, too: points need no table then.
 ///

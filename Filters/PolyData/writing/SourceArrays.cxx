@@ -4,7 +4,7 @@
 #include "Errors.h"
 #include "PolyData/Memory.h"
 #include "PolyData/ranks/BorrowedValues.h"
-#include "PolyData/writing/UnmeshedTriangles.h"
+#include "PolyData/writing/RefinedSurface.h"
 #include "Trigonometry.h"
 #include "refinement/RefinedOnRanks.h"
 #include "source/CurvesOnPatch.h"
@@ -38,6 +38,8 @@ struct OutputPoint
   double unreached = Infinity;
   /// The length of a tile of texture coordinates.
   double tile = 1.0;
+  /// The texture coordinate on the source, across a curve or around a point.
+  double textureAtSource = 0.0;
 
   bool isReached() const { return this->distance < Infinity; }
   double signedDistance() const
@@ -62,11 +64,13 @@ Vec3 textureCoordinatesOf(const OutputPoint& point)
   const SourceValues& values = point.values;
   if (values.side != SourceSide::Point)
   {
-    return point.ifReached(values.arcLength / point.tile, point.signedDistance() / point.tile);
+    return point.ifReached(
+      values.arcLength / point.tile, point.textureAtSource + point.signedDistance() / point.tile);
   }
   const Vec2 away = unitVector(values.angle);
   const double distance = point.distance / point.tile;
-  return point.ifReached(distance * away.x, distance * away.y);
+  return point.ifReached(
+    point.textureAtSource + distance * away.x, point.textureAtSource + distance * away.y);
 }
 
 /// One of the arrays.
@@ -83,9 +87,13 @@ struct ArrayKind
 using Choice = SourceArrayChoice;
 
 constexpr ArrayKind Kinds[] = { { &Choice::sourceIds, "SourceId", VTK_ID_TYPE, 1, sourceIdOf },
+  // A point in a region is its own closest point.
   { &Choice::closestPoints, "ClosestSourcePoint", VTK_DOUBLE, 3,
     [](const OutputPoint& point)
-    { return point.isReached() ? point.values.closestPoint : point.position; } },
+    {
+      const bool isOff = point.isReached() && point.distance > 0.0;
+      return isOff ? point.values.closestPoint : point.position;
+    } },
   // A point on the source may lie a rounding beside it.
   { &Choice::gradients, "DistanceGradient", VTK_DOUBLE, 3,
     [](const OutputPoint& point) { return point.distance > 0.0 ? point.gradient : Vec3(); } },
@@ -281,6 +289,7 @@ void SourceArrays::write(const SurfaceBlock& block, const ValuesAtPoints& atVert
     point.distance = distances[i];
     point.unreached = unreached;
     point.tile = this->textureTile;
+    point.textureAtSource = this->textureAtSource;
     const auto number = static_cast<Id>(i);
     const bool isNew = number >= block.numberOfPoints;
     const ValuesAtPoints& values = isNew ? atNewPoints : atVertices;

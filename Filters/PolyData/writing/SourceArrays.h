@@ -89,6 +89,8 @@ struct SourceArrays
   Id firstBoundarySource;
   /// The length of a tile of texture coordinates, in the user's scale.
   double textureTile;
+  /// The texture coordinate on the source, across a curve or around a point.
+  double textureAtSource;
   SourceArrayChoice choice;
 
   /// Values for every vertex that points have: PolyDataSurface::vertexOf(). All ranks call this

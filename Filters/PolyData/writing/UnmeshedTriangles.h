@@ -3,52 +3,95 @@
 #define geodesic_UnmeshedTriangles_h
 
 #include "PolyData/reading/PolyDataSurface.h"
-#include "refinement/RefinedMesh.h"
 
-#include <cstdint>
+#include <algorithm>
+#include <array>
 #include <unordered_map>
 #include <vector>
 
 namespace geodesic
 {
 
-/// The surface after refinement, with all its triangles, before it is divided into blocks.
-struct RefinedSurface
+/// Which corner of a triangle is at a vertex; 3 if none is.
+inline Id cornerAt(const Triangle& triangle, Id vertex)
 {
-  /// Its faces have numbers of the surface's triangles.
-  RefinedMesh mesh;
-  /// The points of refinement, of any rank, that the last of the mesh's are copies of: which of
-  /// RefinedMesh::points there. The copies have distances, but no places.
-  std::vector<RankAddress> copied;
+  return static_cast<Id>(std::find(triangle.begin(), triangle.end(), vertex) - triangle.begin());
+}
 
-  std::size_t numberOfPointsWithPlaces() const
+/// A face of the mesh of the whole surface, and the global numbers of the vertices at its corners.
+struct GlobalFace
+{
+  RankAddress address{ -1, NoId };
+  Triangle vertices{ NoId, NoId, NoId };
+
+  bool isThere() const { return this->address.id != NoId; }
+  bool hasVertex(Id vertex) const { return cornerAt(this->vertices, vertex) < 3; }
+  /// Which of its edges has these vertices.
+  Id edgeBetween(Id a, Id b) const
   {
-    return this->mesh.points.size() - this->copied.size();
+    const Id k = cornerAt(this->vertices, a);
+    return this->vertices[(k + 1) % 3] == b ? k : (k + 2) % 3;
   }
 };
 
-/// How many barriers are at the edges of the mesh, for RefinementOptions::trianglesBeside. Each
-/// barrier of any rank counts once at each of its edges. All ranks call this together.
-std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface);
+/// A part of this rank that is not a face of the mesh.
+struct UnmeshedTriangle
+{
+  Id part;
+  /// Global numbers of its vertices.
+  Triangle vertices{};
+  /// A face of the mesh, of any rank, at each of its edges, from corner k on. If there is a face on
+  /// the same three vertices, this face is the first, and the others are not set.
+  std::array<GlobalFace, 3> faces{};
 
-/// Adds the triangles of a surface that are not faces of its mesh.
-///
-/// The mesh has one of several faces on the same vertices, the surface has all of them: the others
-/// get the parts of the first, which any rank may own, so that they still fit to their neighbors.
-/// If all ranks together would have more than maximumFaces triangles (0: no limit), they stay
-/// whole. Copies by ghost arrays do not count, and always look like their originals.
-///
-/// Barriers and segments are cut where refinement has split edges of faces there, and are whole
-/// elsewhere. No other points are added to them: they have no distances inside.
-///
-/// All ranks call this together.
-///
-/// \param cornerPoints those of the refinement.
-/// \param vertexDistances of the mesh's vertices, for the surface's cut points.
-/// \param refined what refinement made.
-RefinedSurface addUnmeshedTriangles(const PolyDataSurface& surface, std::uint64_t maximumFaces,
-  const std::vector<Triangle>& cornerPoints, const std::vector<double>& vertexDistances,
-  RefinedMesh refined);
+  bool isOnFace() const
+  {
+    const auto isThere = [this](Id vertex) { return this->faces[0].hasVertex(vertex); };
+    return hasThreeVertices(this->vertices) &&
+      std::all_of(this->vertices.begin(), this->vertices.end(), isThere);
+  }
+};
+
+/// The parts of a surface that are not faces of its mesh: barriers, segments, copies, and all but
+/// one of several parts on the same vertices. The faces at their edges show how to cut them where
+/// the mesh is refined.
+class UnmeshedTriangles
+{
+public:
+  /// All ranks call this together, and the functions below.
+  ///
+  /// \param surface must outlive this.
+  explicit UnmeshedTriangles(const PolyDataSurface& surface);
+
+  const PolyDataSurface& surface() const { return this->surface_; }
+  /// In the order of the parts.
+  const std::vector<UnmeshedTriangle>& ofThisRank() const { return this->triangles_; }
+  bool areOnAnyRank() const
+  {
+    return this->surface_.exchange().isTrueAnywhere(!this->triangles_.empty());
+  }
+  /// How many of them are at each edge of the mesh, for RefinementOptions::trianglesBeside. Each
+  /// triangle of any rank counts once at each of its edges. Copies do not count, nor do triangles
+  /// that get the parts of a face.
+  std::unordered_map<Id, Id> countAtEdges() const;
+
+  /// A vertex that PolyDataSurface::vertexOf() names; this rank alone may ask.
+  GlobalVertex vertex(Id number) const
+  {
+    const Id inMesh = this->surface_.mesh().numberOfVertices();
+    return number < inMesh ? this->surface_.vertexOfMesh(number) : this->remote_[number - inMesh];
+  }
+
+private:
+  void findFaces();
+  /// \param vertex of this rank's mesh.
+  /// \param wanted global numbers of an edge's ends, and of a third vertex, which a face may have.
+  GlobalFace faceAround(Id vertex, const Triangle& wanted) const;
+
+  const PolyDataSurface& surface_;
+  std::vector<GlobalVertex> remote_;
+  std::vector<UnmeshedTriangle> triangles_;
+};
 
 }
 

@@ -283,9 +283,8 @@ TEST(LevelArrangements, HardlyCutCurvesBesideRegions)
   const geodesic::Job job;
   std::size_t compared = 0;
   std::size_t touching = 0;
-  for (std::uint64_t seed = 0; seed < 20; ++seed)
+  for (Random& random : EachSeed(20))
   {
-    Random random(seed);
     const PlainMesh plain = bumpySheet(5, 5, 0, 0.5, random);
     const geodesic::TriangleMesh mesh = engineMesh(plain);
     const geodesic::DistanceField field =

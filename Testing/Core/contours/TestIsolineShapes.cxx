@@ -40,6 +40,19 @@ MeshPoint inOneFace(double x, double y)
   return { 0, { 1.0 - x / 4.0 - y / 3.0, x / 4.0, y / 3.0 } };
 }
 
+/// With sides of length 0.6, against the clock.
+Polyline squareInOneFace()
+{
+  const std::array<MeshPoint, 4> corners = { inOneFace(0.8, 0.8), inOneFace(1.4, 0.8),
+    inOneFace(1.4, 1.4), inOneFace(0.8, 1.4) };
+  Polyline square;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    square.segments.push_back({ 0, corners[i].weights, corners[(i + 1) % 4].weights });
+  }
+  return square;
+}
+
 /// How much shorter than arcs of this length their chords may be.
 double shortening(double length, double radius, double chordTolerance)
 {
@@ -192,13 +205,7 @@ TEST(Isolines, InsideOneFaceAreClosedRoundItsRidges)
 TEST(Isolines, OfAClosedCurveInAFaceAreOnBothSidesOfIt)
 {
   const TriangleMesh mesh = engineMesh(oneFace());
-  const std::array<MeshPoint, 4> corners = { inOneFace(0.8, 0.8), inOneFace(1.4, 0.8),
-    inOneFace(1.4, 1.4), inOneFace(0.8, 1.4) };
-  Polyline square;
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    square.segments.push_back({ 0, corners[i].weights, corners[(i + 1) % 4].weights });
-  }
+  const Polyline square = squareInOneFace();
   const Isolines isolines = isolinesOf(
     mesh, engineCurves(mesh, std::vector<Polyline>{ square }), { 0.1, 0.25, 0.31 }, 1e-7);
   for (const auto& [value, v] : { std::make_pair(0, 0.1), std::make_pair(1, 0.25) })
@@ -468,9 +475,8 @@ class IsolinesOfKinds : public ::testing::TestWithParam<MeshKind>
 
 TEST_P(IsolinesOfKinds, GrowToTheLeftHaveOnePointAnEdgeAndNeedOnlyTheWindowsKept)
 {
-  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  for (Random& random : EachSeed(6, 79000))
   {
-    Random random(seed + 79000);
     const PlainMesh plain = GetParam().make(random.between(30, 200), random);
     const TriangleMesh mesh = engineMesh(plain);
     const std::vector<geodesic::SourceCurve> curves =
@@ -491,7 +497,7 @@ TEST_P(IsolinesOfKinds, GrowToTheLeftHaveOnePointAnEdgeAndNeedOnlyTheWindowsKept
       EXPECT_TRUE(countLines(isolines, value) == countLines(ofAll, value));
       EXPECT_NEAR(totalLength(mesh, isolines, value), totalLength(mesh, ofAll, value),
         1e-6 * totalLength(mesh, ofAll, value))
-        << GetParam().name << ", seed " << seed;
+        << GetParam().name;
     }
     if (isolines.linesWithoutDirection == 0)
     {
@@ -604,13 +610,7 @@ TEST(IsolineSides, OfAnOpenCurveEndWhereTheSignJumpsBehindItsEnds)
 TEST(IsolineSides, OfAClosedCurveAreInsideAndOutside)
 {
   const TriangleMesh mesh = engineMesh(oneFace());
-  const std::array<MeshPoint, 4> corners = { inOneFace(0.8, 0.8), inOneFace(1.4, 0.8),
-    inOneFace(1.4, 1.4), inOneFace(0.8, 1.4) };
-  Polyline square;
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    square.segments.push_back({ 0, corners[i].weights, corners[(i + 1) % 4].weights });
-  }
+  const Polyline square = squareInOneFace();
   for (const bool isTurned : { false, true })
   {
     const Isolines lines = linesOfSides(mesh,
@@ -628,9 +628,8 @@ TEST(IsolineSides, OfAClosedCurveAreInsideAndOutside)
 // Both sides together are the unsigned lines, and each point has the side of its part.
 TEST_P(IsolinesOfKinds, OnTheSidesOfCurvesAreTheUnsignedOnesCut)
 {
-  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  for (Random& random : EachSeed(6, 79500))
   {
-    Random random(seed + 79500);
     const PlainMesh plain = GetParam().make(random.between(30, 200), random);
     const TriangleMesh mesh = engineMesh(plain);
     CurveMaker maker(plain, random);
@@ -642,7 +641,7 @@ TEST_P(IsolinesOfKinds, OnTheSidesOfCurvesAreTheUnsignedOnesCut)
     const Isolines lines = linesOfSides(mesh, curves, value, 1e-4 * largest);
     const double length = totalLength(mesh, unsignedLines, 0);
     EXPECT_NEAR(totalLength(mesh, lines, 0) + totalLength(mesh, lines, 1), length, 1e-3 * length)
-      << GetParam().name << ", seed " << seed;
+      << GetParam().name;
     expectChordsInFaces(mesh, lines);
     std::vector<MeshPoint> places;
     for (const Isoline& line : lines.lines)
@@ -657,7 +656,7 @@ TEST_P(IsolinesOfKinds, OnTheSidesOfCurvesAreTheUnsignedOnesCut)
     for (std::size_t i = 0; i < places.size(); ++i)
     {
       EXPECT_NEAR(truth[i], value, std::max(1e-11, accuracyOn(GetParam())) * largest)
-        << GetParam().name << ", seed " << seed;
+        << GetParam().name;
     }
   }
 }

@@ -91,9 +91,8 @@ TEST_P(RandomIsolines, PointsAreAtTheValueAndChordsNearIt)
 {
   double worstPoint = 0.0;
   double worstChord = 0.0;
-  for (std::uint64_t seed = 0; seed < Meshes; ++seed)
+  for (Random& random : EachSeed(Meshes, 77000))
   {
-    Random random(seed + 77000);
     const Drawn drawn(GetParam(), random.between(30, 300), random);
     if (!(drawn.largest > 0.0))
     {
@@ -126,12 +125,10 @@ TEST_P(RandomIsolines, PointsAreAtTheValueAndChordsNearIt)
       const double error = std::abs(truth[i] - expected[i]) / drawn.largest;
       (i < points ? atPoints : atChords) = std::max(i < points ? atPoints : atChords, error);
     }
-    EXPECT_LE(atPoints, std::max(1e-12, accuracyOn(GetParam())))
-      << GetParam().name << ", seed " << seed << "\n"
-      << describe(drawn.curves);
-    EXPECT_LE(atChords, ChordFraction * (1.0 + 1e-6))
-      << GetParam().name << ", seed " << seed << "\n"
-      << describe(drawn.curves);
+    EXPECT_LE(atPoints, std::max(1e-12, accuracyOn(GetParam()))) << GetParam().name << "\n"
+                                                                 << describe(drawn.curves);
+    EXPECT_LE(atChords, ChordFraction * (1.0 + 1e-6)) << GetParam().name << "\n"
+                                                      << describe(drawn.curves);
     worstPoint = std::max(worstPoint, atPoints);
     worstChord = std::max(worstChord, atChords);
   }
@@ -148,9 +145,8 @@ TEST_P(RandomIsolines, NeedNoCornersAtWhichNoPathBends)
   {
     GTEST_SKIP() << "rounding may lose a window";
   }
-  for (std::uint64_t seed = 0; seed < Meshes; ++seed)
+  for (Random& random : EachSeed(Meshes, 77000))
   {
-    Random random(seed + 77000);
     const Drawn drawn(GetParam(), random.between(30, 300), random);
     const geodesic::DistanceField field =
       solveKeepingAll(drawn.mesh, engineCurves(drawn.mesh, drawn.curves));
@@ -166,7 +162,7 @@ TEST_P(RandomIsolines, NeedNoCornersAtWhichNoPathBends)
       }
       const double most = face.distance(p) + accuracyOn(GetParam()) * drawn.largest;
       EXPECT_TRUE(least <= most || face.distance(p) == geodesic::Infinity)
-        << "seed " << seed << ", face " << place.face << ": " << least << ", " << most;
+        << "face " << place.face << ": " << least << ", " << most;
     }
   }
 }
@@ -174,9 +170,8 @@ TEST_P(RandomIsolines, NeedNoCornersAtWhichNoPathBends)
 TEST_P(RandomIsolines, AreAsManyAndAsClosedAsTheSublevelSetsHaveBoundaries)
 {
   std::size_t compared = 0;
-  for (std::uint64_t seed = 0; seed < SmallMeshes; ++seed)
+  for (Random& random : EachSeed(SmallMeshes, 78000))
   {
-    Random random(seed + 78000);
     const Drawn drawn(GetParam(), random.between(8, 60), random);
     if (!(drawn.largest > 0.0))
     {
@@ -204,9 +199,9 @@ TEST_P(RandomIsolines, AreAsManyAndAsClosedAsTheSublevelSetsHaveBoundaries)
         // A vertex at the value may be on either side.
         EXPECT_TRUE(count == finest.countLines(v) || count == finest.countLines(v * (1.0 + 1e-9)) ||
           count == finest.countLines(v * (1.0 - 1e-9)))
-          << GetParam().name << ", seed " << seed << ", value " << drawn.values[value] << " of "
-          << drawn.largest << ": " << count.open << " open and " << count.closed
-          << " closed lines instead of " << expected.open << " and " << expected.closed << "\n"
+          << GetParam().name << ", value " << drawn.values[value] << " of " << drawn.largest << ": "
+          << count.open << " open and " << count.closed << " closed lines instead of "
+          << expected.open << " and " << expected.closed << "\n"
           << describe(drawn.curves);
       }
     }

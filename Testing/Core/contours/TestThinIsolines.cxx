@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Isolines on flat strips, whose length is known: no part is missing where faces have hardly any
 // height or no area. GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
-#include "Seeds.h"
 #include "contours/IsolineSupport.h"
 #include "truth/CappedMeshes.h"
 
@@ -231,11 +230,8 @@ geodesic::SourceCurve pointOnSurface(const TriangleMesh& mesh, const Vec3& place
 TEST(ThinIsolines, RoundAPointAreWholeArcsOfItsCircle)
 {
   ArcChecker checker;
-  const Seeds seeds = seedsOfTest(Strips);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(Strips, 83600))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 83600);
     Strip strip(Thinnest, random);
     strip.plain = withoutFlatFaces(strip.plain).mesh;
     const TriangleMesh mesh = engineMesh(strip.plain);
@@ -255,11 +251,8 @@ TEST(ThinIsolines, RoundAPointAreWholeArcsOfItsCircle)
 TEST(IsolinesAcrossFacesWithoutArea, RoundAPointAreWholeArcsOfItsCircle)
 {
   ArcChecker checker;
-  const Seeds seeds = seedsOfTest(Strips);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(Strips, 83700))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 83700);
     Strip strip(0.0, random);
     const Caps caps = random.chance(0.5) ? Caps::One : Caps::Several;
     const CappedMesh both = withCaps(strip.plain, caps, random.uniform(0.3, 1.0), random);
@@ -276,11 +269,8 @@ TEST(ThinIsolines, BesideASideAreStraightFromEndToEnd)
 {
   double worstWay = 0.0;
   double worstPoint = 0.0;
-  const Seeds seeds = seedsOfTest(Strips);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(Strips, 83600))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 83600);
     const std::size_t axis = random.below(2);
     Strip strip(Thinnest, random);
     strip.plain = withoutFlatFaces(strip.plain).mesh;

@@ -285,10 +285,8 @@ Sources twoSources(Random& random)
 TEST(Approximate, ErrorsBeforeAndBehindAVertexAddUp)
 {
   double measured = 0.0;
-  for (std::uint64_t seed = 0; seed < 6000; ++seed)
+  for (Random& random : EachSeed(6000))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
     const PlainMesh mesh = twoMergesInARow(random);
     const Sources sources = twoSources(random);
     const TriangleMesh engine = engineMesh(mesh);

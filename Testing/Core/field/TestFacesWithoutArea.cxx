@@ -300,46 +300,44 @@ double expectStraightDistances(const TriangleMesh& engine, const PlainMesh& mesh
 // the face without area there and has no length.
 TEST(FacesWithoutArea, ALineThatBeginsAtAVertexOnAnEdgeCountsOnBothSides)
 {
-  forEachSeed(100, 0,
-    [&](Random& random)
+  for (Random& random : EachSeed(100))
+  {
+    PlainMesh mesh;
+    for (int y = 0; y < 3; ++y)
     {
-      PlainMesh mesh;
-      for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < 3; ++x)
       {
-        for (int x = 0; x < 3; ++x)
-        {
-          mesh.points.push_back({ 0.5 * x, 0.5 * y, 0.0 });
-        }
+        mesh.points.push_back({ 0.5 * x, 0.5 * y, 0.0 });
       }
-      mesh.points[4][0] += random.uniform(-0.2, 0.2);
-      mesh.points[4][1] += random.uniform(-0.2, 0.2);
-      const double t = random.uniform(0.1, 0.9);
-      const Vec3 a = mesh.points[7];
-      const Vec3 b = mesh.points[4];
-      mesh.points.push_back({ (1.0 - t) * a[0] + t * b[0], (1.0 - t) * a[1] + t * b[1], 0.0 });
-      mesh.triangles = { { 0, 1, 4 }, { 0, 4, 3 }, { 1, 2, 5 }, { 1, 5, 4 }, { 3, 4, 7 },
-        { 3, 7, 6 }, { 4, 5, 8 }, { 4, 8, 9 }, { 9, 8, 7 }, { 4, 9, 7 } };
-      mesh = withoutFlatFaces(mesh).mesh;
-      const TriangleMesh engine = engineMesh(mesh);
-      FlatLine line;
-      line.points = { mesh.points[9], mesh.points[6] };
-      const std::vector<SourceCurve> curves = onSurface(engine, line);
-      expectStraightDistances(engine, mesh, curves, line, 1.0, random);
-    });
+    }
+    mesh.points[4][0] += random.uniform(-0.2, 0.2);
+    mesh.points[4][1] += random.uniform(-0.2, 0.2);
+    const double t = random.uniform(0.1, 0.9);
+    const Vec3 a = mesh.points[7];
+    const Vec3 b = mesh.points[4];
+    mesh.points.push_back({ (1.0 - t) * a[0] + t * b[0], (1.0 - t) * a[1] + t * b[1], 0.0 });
+    mesh.triangles = { { 0, 1, 4 }, { 0, 4, 3 }, { 1, 2, 5 }, { 1, 5, 4 }, { 3, 4, 7 }, { 3, 7, 6 },
+      { 4, 5, 8 }, { 4, 8, 9 }, { 9, 8, 7 }, { 4, 9, 7 } };
+    mesh = withoutFlatFaces(mesh).mesh;
+    const TriangleMesh engine = engineMesh(mesh);
+    FlatLine line;
+    line.points = { mesh.points[9], mesh.points[6] };
+    const std::vector<SourceCurve> curves = onSurface(engine, line);
+    expectStraightDistances(engine, mesh, curves, line, 1.0, random);
+  }
 }
 
 TEST(FacesWithoutArea, DistancesAndPathsAcrossThemAreThoseOfThePlane)
 {
   double worst = 0.0;
-  forEachSeed(400, 5100,
-    [&](Random& random)
-    {
-      const LineOnFlatMesh c(random);
-      expectSameLine(c.line, c.source, c.size);
-      worst = std::max(
-        worst, expectStraightDistances(c.engine, c.both.mesh, c.curves, c.source, c.size, random));
-      expectStraightPaths(c.engine, c.both.mesh, c.curves, c.source, c.size, random);
-    });
+  for (Random& random : EachSeed(400, 5100))
+  {
+    const LineOnFlatMesh c(random);
+    expectSameLine(c.line, c.source, c.size);
+    worst = std::max(
+      worst, expectStraightDistances(c.engine, c.both.mesh, c.curves, c.source, c.size, random));
+    expectStraightPaths(c.engine, c.both.mesh, c.curves, c.source, c.size, random);
+  }
   std::cout << "worst relative error " << worst << "\n";
 }
 
@@ -401,13 +399,12 @@ private:
 void compareSidesWithPlane(bool hasCaps)
 {
   SidesChecker checker;
-  forEachSeed(300, 5100,
-    [&](Random& random)
-    {
-      const CappedMesh both = flatMesh(random);
-      const PlainMesh& mesh = hasCaps ? both.mesh : both.conforming;
-      checker.check(mesh, randomLine(mesh, both.conforming, random, false), random);
-    });
+  for (Random& random : EachSeed(300, 5100))
+  {
+    const CappedMesh both = flatMesh(random);
+    const PlainMesh& mesh = hasCaps ? both.mesh : both.conforming;
+    checker.check(mesh, randomLine(mesh, both.conforming, random, false), random);
+  }
   checker.report();
 }
 
@@ -473,41 +470,39 @@ TEST(FacesWithoutArea, DistancesAlongSegmentsOfFacesAreThoseOfThePlane)
 {
   constexpr double accuracy = 1e-6; // the root of a tie: the line may be beside its points
   double worst = 0.0;
-  forEachSeed(100, 31600,
-    [&](Random& random)
+  for (Random& random : EachSeed(100, 31600))
+  {
+    const LineOnFlatMesh c(random);
+    const geodesic::DistanceField field = solveKeepingAll(c.engine, c.curves);
+    for (int i = 0; i < 100; ++i)
     {
-      const LineOnFlatMesh c(random);
-      const geodesic::DistanceField field = solveKeepingAll(c.engine, c.curves);
-      for (int i = 0; i < 100; ++i)
-      {
-        const geodesic::FaceDistance face(field, random.below(c.engine.numberOfFaces()));
-        const double error = errorAlongSegment(face, c.both.mesh, c.source, random) / c.size;
-        EXPECT_LE(error, accuracy) << "face " << face.face();
-        worst = std::max(worst, error);
-      }
-    });
+      const geodesic::FaceDistance face(field, random.below(c.engine.numberOfFaces()));
+      const double error = errorAlongSegment(face, c.both.mesh, c.source, random) / c.size;
+      EXPECT_LE(error, accuracy) << "face " << face.face();
+      worst = std::max(worst, error);
+    }
+  }
   std::cout << "worst relative error " << worst << "\n";
 }
 
 TEST(FacesWithoutArea, RefinedMeshesMeetTheToleranceAndKeepTheirBound)
 {
   double worst = 0.0;
-  forEachSeed(250, 31600,
-    [&](Random& random)
+  for (Random& random : EachSeed(250, 31600))
+  {
+    const LineOnFlatMesh c(random);
+    const geodesic::DistanceField field = solveKeepingAll(c.engine, c.curves);
+    const geodesic::RefinedMesh refined = refineTo(field, 0.01 * c.size);
+    EXPECT_LE(refined.errorBound, 0.01 * c.size);
+    const Samples samples = sample(field, refined, 300, random);
+    for (std::size_t i = 0; i < samples.places.size(); ++i)
     {
-      const LineOnFlatMesh c(random);
-      const geodesic::DistanceField field = solveKeepingAll(c.engine, c.curves);
-      const geodesic::RefinedMesh refined = refineTo(field, 0.01 * c.size);
-      EXPECT_LE(refined.errorBound, 0.01 * c.size);
-      const Samples samples = sample(field, refined, 300, random);
-      for (std::size_t i = 0; i < samples.places.size(); ++i)
-      {
-        const Vec2 place = flat(position(c.both.mesh, samples.places[i]));
-        const double error = std::abs(samples.interpolant[i] - c.source.distance(place));
-        EXPECT_LE(error, refined.errorBound + EngineAccuracy * c.size) << "sample " << i;
-        worst = std::max(worst, error / refined.errorBound);
-      }
-    });
+      const Vec2 place = flat(position(c.both.mesh, samples.places[i]));
+      const double error = std::abs(samples.interpolant[i] - c.source.distance(place));
+      EXPECT_LE(error, refined.errorBound + EngineAccuracy * c.size) << "sample " << i;
+      worst = std::max(worst, error / refined.errorBound);
+    }
+  }
   std::cout << "worst error of the bound " << worst << "\n";
 }
 
@@ -516,28 +511,27 @@ TEST(FacesWithoutArea, RefinedMeshesMeetTheToleranceAndKeepTheirBound)
 TEST(FacesWithHardlyAnyArea, AreRefinedWithFewFaces)
 {
   std::size_t most = 0;
-  forEachSeed(50, 31600,
-    [&](Random& random)
+  for (Random& random : EachSeed(50, 31600))
+  {
+    const PlainMesh flat = flatMeshWithCaps(false, random).mesh;
+    const double size = sizeOf(flat);
+    for (const double bend : { 1e-16, 1e-15, 1e-14, 1e-12, 1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2 })
     {
-      const PlainMesh flat = flatMeshWithCaps(false, random).mesh;
-      const double size = sizeOf(flat);
-      for (const double bend : { 1e-16, 1e-15, 1e-14, 1e-12, 1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2 })
+      SCOPED_TRACE("bent by " + std::to_string(bend));
+      PlainMesh bent = flat;
+      for (Vec3& point : bent.points)
       {
-        SCOPED_TRACE("bent by " + std::to_string(bend));
-        PlainMesh bent = flat;
-        for (Vec3& point : bent.points)
-        {
-          point[2] += bend * size * random.uniform(-1.0, 1.0);
-        }
-        const TriangleMesh engine = cleanedEngineMesh(bent);
-        const Id source = static_cast<Id>(random.below(engine.numberOfVertices()));
-        const geodesic::DistanceField field =
-          solveKeepingAll(engine, { geodesic::pointCurve(SurfacePoint::atVertex(source)) });
-        const geodesic::RefinedMesh refined = refineTo(field, 0.01 * size, 20000);
-        EXPECT_FALSE(refined.stoppedAtMaximum);
-        most = std::max(most, refined.triangles.size() / engine.numberOfFaces());
+        point[2] += bend * size * random.uniform(-1.0, 1.0);
       }
-    });
+      const TriangleMesh engine = cleanedEngineMesh(bent);
+      const Id source = static_cast<Id>(random.below(engine.numberOfVertices()));
+      const geodesic::DistanceField field =
+        solveKeepingAll(engine, { geodesic::pointCurve(SurfacePoint::atVertex(source)) });
+      const geodesic::RefinedMesh refined = refineTo(field, 0.01 * size, 20000);
+      EXPECT_FALSE(refined.stoppedAtMaximum);
+      most = std::max(most, refined.triangles.size() / engine.numberOfFaces());
+    }
+  }
   std::cout << "at most " << most << " times the faces\n";
 }
 

@@ -97,9 +97,8 @@ protected:
   {
     const geodesic::TriangleMesh engine = engineMesh(mesh);
     ASSERT_EQ(engine.numberOfFaces(), mesh.triangles.size());
-    for (std::uint64_t seed = 0; seed < 3; ++seed)
+    for (Random& random : EachSeed(3))
     {
-      Random random(seed);
       CurveMaker maker(mesh, random);
       const std::vector<Polyline> curves = { maker.walk(4), maker.straight(5), maker.point() };
       expectBruteForce(mesh, engineCurves(engine, curves), toSources(curves), fraction, 100);

@@ -180,10 +180,8 @@ TEST_P(SegmentEnvelopes, AreTheDistanceAlongAnySegmentOfAnyFace)
   constexpr std::uint64_t meshes = meshesOfAKind(12);
   constexpr int segments = 80;
   double worst = 0.0;
-  for (std::uint64_t seed = 0; seed < meshes; ++seed)
+  for (Random& random : EachSeed(meshes, 500))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 500);
     const PlainMesh mesh = GetParam().make(random.between(50, 300), random);
     CurveMaker maker(mesh, random);
     const std::vector<Polyline> curves = maker.anySource();
@@ -344,9 +342,8 @@ geodesic::DistanceField fieldOf(
 TEST(FaceDistance, IsThatThroughAWindowWhoseSourceIsHardlyBelowTheHalfedge)
 {
   int onHalfedge = 0;
-  for (std::uint64_t seed = 0; seed < 4000; ++seed)
+  for (Random& random : EachSeed(4000))
   {
-    Random random(seed);
     const PlainMesh plain = { { { 0, 0, 0 }, { 1, 0, 0 },
                                 { random.uniform(-0.5, 1.5), random.uniform(0.1, 1.5), 0 } },
       { { 0, 1, 2 } } };
@@ -378,8 +375,8 @@ TEST(FaceDistance, IsThatThroughAWindowWhoseSourceIsHardlyBelowTheHalfedge)
       const double height =
         place[(k + 2) % 3] * mesh.length((k + 2) % 3) * std::sin(mesh.cornerAngle(k));
       EXPECT_NEAR(face.distance(face.inPlane(place)), throughWindow(w, x, height), 1e-8)
-        << "seed " << seed << ", at " << x << ", " << height << ", from " << w.sourceX << ", -"
-        << w.sourceDepth << " through " << w.begin << " to " << w.end;
+        << "at " << x << ", " << height << ", from " << w.sourceX << ", -" << w.sourceDepth
+        << " through " << w.begin << " to " << w.end;
     }
   }
   EXPECT_GT(onHalfedge, 0);

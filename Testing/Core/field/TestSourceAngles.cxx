@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arc lengths at which shortest paths end on a curve, and the angles at which they leave it: in
-// closed form, and compared with traced paths.
+// The arc lengths at which shortest paths end on a curve, and the angles at which they leave it, on
+// random meshes: compared with traced paths, at other points, with threads and on ranks.
 #include "EngineSupport.h"
 #include "OnThreads.h"
 #include "RanksSupport.h"
 #include "Seeds.h"
 #include "truth/DirectionAngles.h"
+#include "truth/PlaneEnds.h"
 
-#include "field/NearestSource.h"
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SolveForRefinement.h"
 
@@ -46,64 +46,6 @@ constexpr double SamePlace = 1e-9;
 double bendOn(const MeshKind& kind)
 {
   return std::sqrt(8.0 * accuracyOn(kind));
-}
-
-geodesic::FrontOptions withAngles(bool keepAngles = true)
-{
-  geodesic::FrontOptions options;
-  options.keepArrivals = true;
-  options.keepAngles = keepAngles;
-  return options;
-}
-
-double gapOfAngles(double a, double b)
-{
-  return std::abs(std::remainder(a - b, FullAngle));
-}
-
-/// A field and its feet.
-struct Solved
-{
-  geodesic::TriangleMesh mesh;
-  std::vector<geodesic::SourceCurve> curves;
-  geodesic::DistanceField field;
-  NearestSource nearest;
-
-  Solved(const PlainMesh& plain, const std::vector<Polyline>& polylines,
-    const geodesic::FrontOptions& options = withAngles())
-    : mesh(engineMesh(plain))
-    , curves(engineCurves(mesh, polylines))
-    , field(geodesic::solve(mesh, curves, options, geodesic::KeepWindows::All))
-    , nearest(field, geodesic::ReplicatedPatch(mesh), curves)
-  {
-  }
-
-  Foot footOf(const SurfacePoint& point)
-  {
-    return point.kind == SurfacePoint::Kind::Vertex
-      ? nearest.atVertex(point.id)
-      : nearest.of(geodesic::incomingSegmentTo(field, point));
-  }
-
-  /// The vertices, and other points behind them.
-  std::vector<SurfacePoint> pointsWith(const std::vector<MeshPoint>& queries) const
-  {
-    std::vector<SurfacePoint> points;
-    for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
-    {
-      points.push_back(SurfacePoint::atVertex(vertex));
-    }
-    for (const MeshPoint& query : queries)
-    {
-      points.push_back(geodesic::normalized(mesh, enginePoint(mesh, query)));
-    }
-    return points;
-  }
-};
-
-Vec3 minus(const Vec3& a, const Vec3& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
 /// The true answers for a case, computed from its plain data.
@@ -343,7 +285,7 @@ public:
   {
   }
 
-  void compare(Solved& s, const SurfacePoint& target, const FoundPath& path)
+  void compare(FieldWithFeet& s, const SurfacePoint& target, const FoundPath& path)
   {
     const Foot foot = s.footOf(target);
     if (!foot.isKnown() || path.points.size() < 2)
@@ -379,7 +321,8 @@ public:
   }
 
 private:
-  void compareAngle(Solved& s, const Foot& foot, const SurfacePoint& at, const Direction& path)
+  void compareAngle(
+    FieldWithFeet& s, const Foot& foot, const SurfacePoint& at, const Direction& path)
   {
     const Id face = geodesic::someFace(s.mesh, at);
     const std::vector<double> angles = this->truth_.anglesOf(foot.curve,
@@ -443,9 +386,9 @@ TEST_P(SourceAngles, AreThoseOfTracedPaths)
   for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
   {
     const RandomCase c = randomCase(GetParam(), seed, NumberOfQueries);
-    Solved s(c.mesh, c.curves);
+    FieldWithFeet s(c.mesh, c.curves);
     AgainstPaths against(GetParam(), c, tally);
-    const std::vector<SurfacePoint> targets = s.pointsWith(c.queries);
+    const std::vector<SurfacePoint> targets = verticesAnd(s.mesh, c.queries);
     const std::vector<FoundPath> paths = findPaths(s.mesh, s.curves, targets);
     for (std::size_t i = 0; i < targets.size(); ++i)
     {
@@ -466,12 +409,12 @@ TEST_P(SourceAngles, ChangeNoDistance)
     const RandomCase c = randomCase(GetParam(), seed, NumberOfQueries);
     for (const double relativeError : { 0.0, 1e-3 })
     {
-      geodesic::FrontOptions with = withAngles(true);
-      geodesic::FrontOptions without = withAngles(false);
+      geodesic::FrontOptions with = FieldWithFeet::withAngles(true);
+      geodesic::FrontOptions without = FieldWithFeet::withAngles(false);
       with.relativeError = relativeError;
       without.relativeError = relativeError;
-      const Solved a(c.mesh, c.curves, with);
-      const Solved b(c.mesh, c.curves, without);
+      const FieldWithFeet a(c.mesh, c.curves, with);
+      const FieldWithFeet b(c.mesh, c.curves, without);
       EXPECT_EQ(a.field.vertexDistances(), b.field.vertexDistances());
       EXPECT_EQ(a.field.windowsPropagated(), b.field.windowsPropagated());
       EXPECT_EQ(a.field.relativeErrorBound(), b.field.relativeErrorBound());
@@ -486,11 +429,11 @@ TEST_P(SourceAngles, HaveTheSameBitsOnAnyNumberOfThreads)
   std::vector<std::array<double, 3>> expected;
   for (const geodesic::ParallelFor& way : waysToRun())
   {
-    geodesic::FrontOptions options = withAngles();
+    geodesic::FrontOptions options = FieldWithFeet::withAngles();
     options.job = Job({}, way);
-    Solved s(c.mesh, c.curves, options);
+    FieldWithFeet s(c.mesh, c.curves, options);
     std::vector<std::array<double, 3>> answers;
-    for (const SurfacePoint& point : s.pointsWith(c.queries))
+    for (const SurfacePoint& point : verticesAnd(s.mesh, c.queries))
     {
       const Answer t = answerFor(s.nearest, s.footOf(point));
       answers.push_back({ static_cast<double>(t.curve), t.arcLength, t.angle });
@@ -507,10 +450,10 @@ TEST_P(SourceAngles, AreKnownAtPointsThatRefinementAdds)
   for (std::uint64_t seed = 0; seed < meshesOfAKind(3); ++seed)
   {
     const RandomCase c = randomCase(GetParam(), seed, 0);
-    Solved s(c.mesh, c.curves);
+    FieldWithFeet s(c.mesh, c.curves);
     constexpr double tolerance = 0.02;
     const geodesic::DistanceField field =
-      solveForRefinement(s.mesh, s.curves, tolerance, withAngles());
+      solveForRefinement(s.mesh, s.curves, tolerance, FieldWithFeet::withAngles());
     NearestSource nearest(field, geodesic::ReplicatedPatch(s.mesh), s.curves);
     geodesic::RefinementOptions options;
     options.tolerance = tolerance;
@@ -536,7 +479,7 @@ TEST_P(SourceAngles, AreTheSameOnRanks)
   for (std::uint64_t seed = 0; seed < meshesOfAKind(3); ++seed)
   {
     const RandomCase c = randomCase(GetParam(), seed, 0);
-    Solved s(c.mesh, c.curves);
+    FieldWithFeet s(c.mesh, c.curves);
     for (const int ranks : { 1, 2, 4 })
     {
       CutMesh cut = { c.mesh, ranks, {} };
@@ -549,8 +492,8 @@ TEST_P(SourceAngles, AreTheSameOnRanks)
       onRanks(cut, c.curves, 0,
         [&](const RankOfRun& rank)
         {
-          const geodesic::DistanceField field =
-            geodesic::solve(rank.part, rank.sources, withAngles(), geodesic::KeepWindows::None);
+          const geodesic::DistanceField field = geodesic::solve(
+            rank.part, rank.sources, FieldWithFeet::withAngles(), geodesic::KeepWindows::None);
           NearestSource nearest(field, rank.patch, rank.curvesOnPatch);
           const std::lock_guard<std::mutex> lock(mutex);
           for (Id vertex = 0; vertex < rank.wholeVertices.size(); ++vertex)

@@ -248,10 +248,8 @@ class DistanceLimit : public ::testing::TestWithParam<MeshKind>
 TEST_P(DistanceLimit, ExactlyTheFacesWithAPointWithinItAreComplete)
 {
   std::array<std::size_t, 3> counts{};
-  for (std::uint64_t seed = 9000; seed < 9012; ++seed)
+  for (Random& random : EachSeed(12, 9000))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
     const PlainMesh mesh = GetParam().make(random.between(20, 150), random);
     CurveMaker maker(mesh, random);
     const std::vector<Polyline> curves = maker.anySource();

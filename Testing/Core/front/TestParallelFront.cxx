@@ -48,13 +48,12 @@ class ParallelFront : public ::testing::TestWithParam<MeshKind>
 TEST_P(ParallelFront, AgreesWithBruteForce)
 {
   Threads threads;
-  for (std::uint64_t seed = 0; seed < meshesOfAKind(4); ++seed)
+  for (Random& random : EachSeed(meshesOfAKind(4), 81000))
   {
-    Random random(seed + 81000);
     const PlainMesh mesh = GetParam().make(600, random);
     CurveMaker maker(mesh, random);
     const std::vector<Polyline> curves = maker.anySource();
-    SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + describe(curves));
+    SCOPED_TRACE(describe(curves));
     const std::vector<MeshPoint> queries = randomPoints(mesh, 60, random);
     const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), queries);
     const TriangleMesh engine = engineMesh(mesh);
@@ -83,10 +82,8 @@ TEST_P(ParallelFront, AgreesWithBruteForce)
 TEST_P(ParallelFront, GivesTheBitsOfOneThread)
 {
   Threads threads;
-  for (std::uint64_t seed = 0; seed < meshesOfAKind(3); ++seed)
+  for (Random& random : EachSeed(meshesOfAKind(3), 82000))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 82000);
     const PlainMesh mesh = GetParam().make(4000, random);
     CurveMaker maker(mesh, random);
     const TriangleMesh engine = engineMesh(mesh);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The triangles of polygons against what is known of their outlines: areas, places inside.
 #include "mesh/PolygonTriangles.h"
+#include "mesh/SideOfLine.h"
 
 #include <gtest/gtest.h>
 

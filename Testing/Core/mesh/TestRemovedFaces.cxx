@@ -155,22 +155,21 @@ protected:
   void compare(std::uint64_t count, const Find& find)
   {
     double worst = 0.0;
-    forEachSeed(count, 700000,
-      [&](Random& random)
-      {
-        const double offset = randomOffset(random);
-        const CappedMesh both = randomSurface(GetParam(), offset, random);
-        // Loose faces have a boundary of their own, and so have short ones that are as high as they
-        // may be long, relatively: these remain.
-        const bool hasOneBoundary = GetParam().caps != Caps::AnyAndLoose && offset <= 1e-15;
-        const RandomSource source(both.conforming, hasOneBoundary, random);
-        const std::vector<double> truth = source.trueDistances(both);
-        std::vector<double> found = find(both.mesh, source, random);
-        found.resize(truth.size()); // without vertices that were added
-        const double error = worstError(found, truth, std::max(1.0, largestFinite(truth)));
-        EXPECT_LE(error, 1e-10);
-        worst = std::max(worst, error);
-      });
+    for (Random& random : EachSeed(count, 700000))
+    {
+      const double offset = randomOffset(random);
+      const CappedMesh both = randomSurface(GetParam(), offset, random);
+      // Loose faces have a boundary of their own, and so have short ones that are as high as they
+      // may be long, relatively: these remain.
+      const bool hasOneBoundary = GetParam().caps != Caps::AnyAndLoose && offset <= 1e-15;
+      const RandomSource source(both.conforming, hasOneBoundary, random);
+      const std::vector<double> truth = source.trueDistances(both);
+      std::vector<double> found = find(both.mesh, source, random);
+      found.resize(truth.size()); // without vertices that were added
+      const double error = worstError(found, truth, std::max(1.0, largestFinite(truth)));
+      EXPECT_LE(error, 1e-10);
+      worst = std::max(worst, error);
+    }
     std::cout << GetParam().name << ": worst relative error " << worst << "\n";
   }
 };
@@ -454,16 +453,15 @@ FaceSet facesOnRanks(const CutMesh& cut)
 
 TEST_P(RemovedFacesOfAKind, AreTheSameOnRanks)
 {
-  forEachSeed(12, 970000,
-    [](Random& random)
+  for (Random& random : EachSeed(12, 970000))
+  {
+    const PlainMesh mesh = randomSurface(GetParam(), randomOffset(random), random).mesh;
+    const PlainMesh whole = withoutFlatFaces(mesh).mesh;
+    FaceSet truth;
+    addFaces(whole.points, whole.triangles, truth);
+    for (const int ranks : { 2, 3, 5 })
     {
-      const PlainMesh mesh = randomSurface(GetParam(), randomOffset(random), random).mesh;
-      const PlainMesh whole = withoutFlatFaces(mesh).mesh;
-      FaceSet truth;
-      addFaces(whole.points, whole.triangles, truth);
-      for (const int ranks : { 2, 3, 5 })
-      {
-        EXPECT_TRUE(facesOnRanks(cutAtRandom(mesh, ranks, random)) == truth) << ranks << " ranks";
-      }
-    });
+      EXPECT_TRUE(facesOnRanks(cutAtRandom(mesh, ranks, random)) == truth) << ranks << " ranks";
+    }
+  }
 }

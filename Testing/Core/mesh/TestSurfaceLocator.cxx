@@ -172,9 +172,8 @@ TEST(SurfaceLocator, FacesWithoutAreaCountWhereThereAreNoOthers)
 TEST(SurfaceLocator, FacesThatEachLoseToAnotherByRoundingAreAllFound)
 {
   int eachLoses = 0;
-  for (std::uint64_t seed = 0; seed < 2000; ++seed)
+  for (Random& random : geodesictest::EachSeed(2000))
   {
-    Random random(seed);
     const double far = std::pow(10.0, random.uniform(8.0, 9.0));
     const double slope = std::pow(10.0, random.uniform(-9.0, -7.0));
     std::vector<Vec3> points = { { 0, 0, 0 } };

@@ -84,6 +84,22 @@ void PathChecker::expectShortest(
   }
 }
 
+void PathChecker::expectPath(const std::vector<SurfacePoint>& path, const MeshPoint& from,
+  const Sources& sources, double distance, double slack) const
+{
+  if (distance == geodesic::Infinity)
+  {
+    EXPECT_TRUE(path.empty());
+    return;
+  }
+  ASSERT_FALSE(path.empty());
+  const std::vector<PathPoint> points = this->plain(path);
+  EXPECT_LE(spaceDistance(points.front().place, position(this->mesh_, from)), slack);
+  EXPECT_LE(distanceInSpace(this->mesh_, points.back().place, sources), slack)
+    << "ends off the source";
+  this->expectShortest(points, distance, slack);
+}
+
 PathPoint PathChecker::plain(const SurfacePoint& p) const
 {
   PathPoint result;
@@ -169,8 +185,11 @@ double PathChecker::turn(
     return Pi - angle(p.place, before.place, after.place);
   }
   // Across an edge, the angles on both sides against the same end of the edge add up to half a
-  // turn.
-  const Vec3& end = this->mesh_.points[*p.support.begin()];
+  // turn. At the nearer end rounding may turn the edge.
+  const Vec3& first = this->mesh_.points[*p.support.begin()];
+  const Vec3& second = this->mesh_.points[*p.support.rbegin()];
+  const bool isFirstNearer = spaceDistance(p.place, first) < spaceDistance(p.place, second);
+  const Vec3& end = isFirstNearer ? second : first;
   return std::abs(Pi - angle(p.place, before.place, end) - angle(p.place, end, after.place));
 }
 

@@ -37,6 +37,12 @@ public:
   ///        length makes it longer by the square of that.
   void expectShortest(const std::vector<PathPoint>& path, double length, double slack) const;
 
+  /// Checks a path from a point to the nearest of some sources.
+  ///
+  /// \param distance of the point; if it is infinite, the path must be empty.
+  void expectPath(const std::vector<geodesic::SurfacePoint>& path, const MeshPoint& from,
+    const Sources& sources, double distance, double slack) const;
+
   /// The sum of the lengths of the pieces.
   static double length(const std::vector<PathPoint>& path);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shortest paths, traced through a field or found between two points, compared with what holds for
-// any shortest path: its length is the true distance, each piece is in one face, it is straight
-// across edges, and it bends only at vertices where both sides have half a turn or more. The truth
-// comes from the plain mesh.
+// Shortest paths, traced, found in windows or between two points, compared with what holds for any
+// shortest path: its length is the true distance, each piece is in one face, it is straight across
+// edges, and it bends only at vertices where both sides have half a turn or more. The truth is a
+// closed form or comes from the plain mesh.
 #include "EngineSupport.h"
 #include "Seeds.h"
 #include "paths/PathChecker.h"
@@ -10,6 +10,8 @@
 #include "truth/RandomMeshKinds.h"
 
 #include "paths/JoinPoints.h"
+#include "paths/PathCorridor.h"
+#include "paths/PathInStrip.h"
 #include "paths/PathInWindows.h"
 
 #include <gtest/gtest.h>
@@ -25,140 +27,234 @@ using geodesic::TriangleMesh;
 namespace
 {
 
-/// Traces paths from the queries and checks them.
-void expectPathsToTheSource(const PlainMesh& mesh, const std::vector<geodesic::SourceCurve>& curves,
-  const TriangleMesh& engine, const Sources& sources, const std::vector<MeshPoint>& queries,
-  const std::vector<double>& truth, double slack)
+/// A surface, its sources and points with their true distances.
+struct Scene
 {
-  const PathChecker checker(mesh);
-  const DistanceField field = solveKeepingAll(engine, curves);
-  for (std::size_t i = 0; i < queries.size(); ++i)
-  {
-    SCOPED_TRACE("path " + std::to_string(i));
-    const std::vector<SurfacePoint> path = pathInWindows(field, enginePoint(engine, queries[i]));
-    if (truth[i] == geodesic::Infinity)
-    {
-      EXPECT_TRUE(path.empty());
-      continue;
-    }
-    ASSERT_FALSE(path.empty());
-    const std::vector<PathPoint> plain = checker.plain(path);
-    EXPECT_LE(spaceDistance(plain.front().place, position(mesh, queries[i])), slack);
-    EXPECT_LE(distanceInSpace(mesh, plain.back().place, sources), slack) << "ends off the source";
-    checker.expectShortest(plain, truth[i], slack);
-  }
-}
-
-/// Finds paths from the source, which is one point, to the queries.
-void expectPathsBetween(const PlainMesh& mesh, const TriangleMesh& engine, const MeshPoint& source,
-  const std::vector<MeshPoint>& queries, const std::vector<double>& truth, double slack)
-{
-  const PathChecker checker(mesh);
-  const geodesic::JoinPoints join = geodesic::joinByShortestPaths(engine);
-  for (std::size_t i = 0; i < queries.size(); ++i)
-  {
-    SCOPED_TRACE("path " + std::to_string(i));
-    const SurfacePoint from = enginePoint(engine, source);
-    const SurfacePoint to = enginePoint(engine, queries[i]);
-    const std::vector<SurfacePoint> path = join(from, to, {});
-    if (truth[i] == geodesic::Infinity)
-    {
-      EXPECT_TRUE(path.empty());
-      continue;
-    }
-    ASSERT_GE(path.size(), 2U);
-    EXPECT_TRUE(samePlace(engine, path.front(), from));
-    EXPECT_TRUE(samePlace(engine, path.back(), to));
-    checker.expectShortest(checker.plain(path), truth[i], slack);
-  }
-}
-
-void expectAnalyticPaths(AnalyticCase (*makeCase)(Random&))
-{
-  std::size_t single = 0;
-  for (std::uint64_t seed = 0; seed < 60; ++seed)
-  {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    const AnalyticCase c = makeCase(random);
-    const double slack = OrdinaryAccuracy * largestFinite(c.vertexTruth);
-    const TriangleMesh engine = engineMesh(c.mesh);
-    expectPathsToTheSource(
-      c.mesh, engineCurves(engine, c.sources), engine, c.sources, c.queries, c.queryTruth, slack);
-    if (c.sources.points.size() == 1 && c.sources.segments.empty())
-    {
-      ++single;
-      expectPathsBetween(c.mesh, engine, c.sources.points[0], c.queries, c.queryTruth, slack);
-    }
-  }
-  EXPECT_GE(single, 3U);
-}
-
-class ShortestPaths : public ::testing::TestWithParam<MeshKind>
-{
+  PlainMesh mesh;
+  std::vector<Polyline> lines;
+  std::vector<MeshPoint> queries;
+  std::vector<double> truth;
+  /// By how much lengths may be off.
+  double slack;
 };
 
+/// A row of the table of scenes: in closed form, or a kind of random mesh.
+struct SceneKind
+{
+  std::string name;
+  AnalyticCase (*analytic)(Random& random);
+  MeshKind random;
+
+  std::uint64_t seeds(std::uint64_t ofRandom) const
+  {
+    return this->analytic != nullptr ? 60 : meshesOfAKind(ofRandom);
+  }
+
+  /// \param ofOnePoint the source is one point; else it may be anything.
+  Scene make(Random& seeded, bool ofOnePoint) const
+  {
+    if (this->analytic != nullptr)
+    {
+      AnalyticCase c = this->analytic(seeded);
+      std::vector<Polyline> lines;
+      for (const MeshPoint& p : c.sources.points)
+      {
+        lines.push_back({ { { p.face, p.weights, p.weights } }, {} });
+      }
+      for (const MeshSegment& segment : c.sources.segments)
+      {
+        lines.push_back({ { segment }, {} });
+      }
+      return { std::move(c.mesh), std::move(lines), std::move(c.queries), std::move(c.queryTruth),
+        OrdinaryAccuracy * largestFinite(c.vertexTruth) };
+    }
+    Scene scene{ this->random.make(randomSize(seeded), seeded), {}, {}, {}, 0.0 };
+    CurveMaker maker(scene.mesh, seeded);
+    scene.lines = ofOnePoint ? std::vector<Polyline>{ maker.point() } : maker.anySource();
+    scene.queries = randomPoints(scene.mesh, 60, seeded);
+    const BruteForceResult truth =
+      bruteForceDistances(scene.mesh, toSources(scene.lines), scene.queries);
+    scene.truth = truth.queries;
+    scene.slack = accuracyOn(this->random) * largestFinite(truth.vertices);
+    return scene;
+  }
+};
+
+std::vector<SceneKind> sceneKinds()
+{
+  std::vector<SceneKind> kinds;
+  for (const AnalyticConfiguration& c : analyticConfigurations())
+  {
+    kinds.push_back({ std::string("ClosedForm") + c.name, c.make, {} });
+  }
+  for (const MeshKind& kind : meshKinds())
+  {
+    kinds.push_back({ kind.name, nullptr, kind });
+  }
+  return kinds;
 }
 
-TEST(ShortestPath, InTheConvexPlaneItIsStraight)
+class ShortestPaths : public ::testing::TestWithParam<SceneKind>
 {
-  expectAnalyticPaths(planeCase);
+protected:
+  /// Checks find(scene, mesh, curves), the paths from the queries; none where it was not asked. The
+  /// source of each curve is its index.
+  template <typename Find>
+  void check(const Scene& scene, const Find& find)
+  {
+    SCOPED_TRACE(describe(scene.lines));
+    const TriangleMesh engine = engineMesh(scene.mesh);
+    std::vector<geodesic::SourceCurve> curves = engineCurves(engine, scene.lines);
+    for (std::size_t i = 0; i < curves.size(); ++i)
+    {
+      curves[i].source = static_cast<geodesic::Id>(i);
+    }
+    const PathChecker checker(scene.mesh);
+    const std::vector<FoundPath> paths = find(engine, curves);
+    for (std::size_t i = 0; i < paths.size(); ++i)
+    {
+      SCOPED_TRACE("path " + std::to_string(i));
+      const bool isNamed = paths[i].source < scene.lines.size();
+      const Sources source =
+        toSources(isNamed ? std::vector<Polyline>{ scene.lines[paths[i].source] } : scene.lines);
+      checker.expectPath(paths[i].points, scene.queries[i], source, scene.truth[i], scene.slack);
+      this->paths_ += paths[i].points.empty() ? 0 : 1;
+      this->lost_ += paths[i].wasLost ? 1 : 0;
+    }
+  }
+
+  std::size_t paths_ = 0;
+  std::size_t lost_ = 0;
+};
+
+/// The queries on the engine's mesh.
+std::vector<SurfacePoint> targetsOf(const Scene& scene, const TriangleMesh& engine)
+{
+  std::vector<SurfacePoint> targets;
+  for (const MeshPoint& query : scene.queries)
+  {
+    targets.push_back(enginePoint(engine, query));
+  }
+  return targets;
 }
 
-TEST(ShortestPath, OnARegularGridItIsStraightThroughVerticesToo)
-{
-  expectAnalyticPaths(regularGridCase);
+/// On these, tracing loses one path in about 400, more than on any other kind.
+constexpr char KindThatLosesMost[] = "ThinNeedles";
+
 }
 
-TEST(ShortestPath, AmongNeedlesItIsStraight)
+TEST_P(ShortestPaths, ThatAreTracedEndOnTheCurveTheyName)
 {
-  expectAnalyticPaths(stretchedPlaneCase);
+  // More seeds where a path must be lost and found again: rounding decides which paths are.
+  const bool mustLose = GetParam().name == KindThatLosesMost;
+  const Seeds seeds = seedsOfTest(GetParam().seeds(20));
+  for (std::uint64_t seed = seeds.first;
+       seed < seeds.end() || (mustLose && this->lost_ == 0 && seed < seeds.end() + 200); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 77000);
+    const Scene scene = GetParam().make(random, false);
+    this->check(scene,
+      [&](const TriangleMesh& engine, const std::vector<geodesic::SourceCurve>& curves)
+      {
+        std::vector<FoundPath> paths = findPaths(engine, curves, targetsOf(scene, engine));
+        for (std::size_t i = 0; i < paths.size(); ++i)
+        {
+          EXPECT_EQ(paths[i].source != geodesic::NoId, scene.truth[i] < geodesic::Infinity);
+        }
+        return paths;
+      });
+  }
+  EXPECT_GT(this->paths_, 0U);
+  EXPECT_TRUE(!mustLose || this->lost_ > 0) << "none was found again";
 }
 
-TEST(ShortestPath, OnABoxItIsStraightInAnUnfolding)
+TEST_P(ShortestPaths, InWindowsEndOnTheSource)
 {
-  expectAnalyticPaths(boxCase);
+  forEachSeed(GetParam().seeds(12), 52000,
+    [&](Random& random)
+    {
+      const Scene scene = GetParam().make(random, false);
+      this->check(scene,
+        [&](const TriangleMesh& engine, const std::vector<geodesic::SourceCurve>& curves)
+        {
+          const DistanceField field = solveKeepingAll(engine, curves);
+          std::vector<FoundPath> paths;
+          for (const SurfacePoint& target : targetsOf(scene, engine))
+          {
+            paths.emplace_back().points = pathInWindows(field, target);
+          }
+          return paths;
+        });
+    });
 }
 
-TEST(ShortestPath, OnACylinderItIsStraightUnrolled)
+// Searches all paths as those that tracing has lost.
+TEST_P(ShortestPaths, InStripsEndOnTheCurveTheyName)
 {
-  expectAnalyticPaths(cylinderCase);
+  forEachSeed(meshesOfAKind(10), 78000,
+    [&](Random& random)
+    {
+      Scene scene = GetParam().make(random, false);
+      scene.queries.resize(std::min<std::size_t>(scene.queries.size(), 20));
+      this->check(scene,
+        [&](const TriangleMesh& engine, const std::vector<geodesic::SourceCurve>& curves)
+        {
+          const DistanceField field = geodesic::solve(engine, curves);
+          const std::vector<double> toSource =
+            geodesic::lowerBoundsOf(field.vertexDistances(), geodesic::Infinity);
+          std::vector<FoundPath> paths(scene.queries.size());
+          for (std::size_t i = 0; i < paths.size(); ++i)
+          {
+            const SurfacePoint target = enginePoint(engine, scene.queries[i]);
+            const geodesic::Id face = geodesic::someFace(engine, target);
+            if (scene.truth[i] < geodesic::Infinity)
+            {
+              const auto found =
+                geodesic::pathInStrip(field.surface(), geodesic::ReplicatedPatch(engine), curves,
+                  { { 0, face }, geodesic::toFacePoint(engine, face, target), scene.truth[i] },
+                  toSource, {});
+              EXPECT_TRUE(found && !found->points.empty());
+              paths[i].take(*found);
+            }
+          }
+          return paths;
+        });
+    });
 }
 
-TEST(ShortestPath, OnAConeItIsStraightUnrolled)
+TEST_P(ShortestPaths, BetweenTwoPointsBeginAndEndThere)
 {
-  expectAnalyticPaths(coneCase);
+  forEachSeed(GetParam().seeds(12), 52000,
+    [&](Random& random)
+    {
+      const Scene scene = GetParam().make(random, true);
+      if (scene.lines.size() != 1 || !scene.lines[0].isPoint())
+      {
+        return; // a closed form for other sources
+      }
+      this->check(scene,
+        [&](const TriangleMesh& engine, const std::vector<geodesic::SourceCurve>& curves)
+        {
+          const SurfacePoint source = curves[0].points[0];
+          const geodesic::JoinPoints join = geodesic::joinByShortestPaths(engine);
+          std::vector<FoundPath> paths;
+          for (const SurfacePoint& target : targetsOf(scene, engine))
+          {
+            paths.emplace_back().points = join(target, source, {});
+            const std::vector<SurfacePoint>& points = paths.back().points;
+            EXPECT_TRUE(points.empty() ||
+              (points.size() >= 2 && samePlace(engine, points.front(), target) &&
+                samePlace(engine, points.back(), source)));
+          }
+          return paths;
+        });
+    });
+  EXPECT_GE(this->paths_, 3U);
 }
 
-TEST(ShortestPath, BendsAtASaddleVertex)
-{
-  expectAnalyticPaths(saddleFanCase);
-}
-
-TEST(ShortestPath, OnATetrahedronItIsStraightInAnUnfolding)
-{
-  expectAnalyticPaths(tetrahedronCase);
-}
-
-TEST(ShortestPath, BendsAtTheCornersOfHoles)
-{
-  expectAnalyticPaths(holesCase);
-}
-
-TEST(ShortestPath, BendsAtTheCornerOfAnL)
-{
-  expectAnalyticPaths(lShapeCase);
-}
-
-TEST(ShortestPath, GoesFromPageToPageOfABook)
-{
-  expectAnalyticPaths(bookCase);
-}
-
-TEST(ShortestPath, GoesThroughTheVertexOfABowTie)
-{
-  expectAnalyticPaths(bowTieCase);
-}
+INSTANTIATE_TEST_SUITE_P(Table, ShortestPaths, ::testing::ValuesIn(sceneKinds()),
+  [](const auto& instance) { return instance.param.name; });
 
 // (1 - 1.8e-15, 9e-16, 9e-16) in a face, two faces away from the vertex that is the source.
 TEST(ShortestPath, ToAPointARoundingBesideAVertexIsFound)
@@ -237,31 +333,3 @@ TEST(ShortestPath, CrossesATinyEdgeAtTheEndOfALongWayWhereTheStraightLineDoes)
     EXPECT_NEAR(PathChecker(mesh).plain(path[1]).place[1], crossing, 0.02 * h) << part;
   }
 }
-
-TEST_P(ShortestPaths, AreAsLongAsTheBruteForceDistanceAndBendOnlyWhereTheyMay)
-{
-  for (std::uint64_t seed = 0; seed < meshesOfAKind(12); ++seed)
-  {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 52000);
-    const PlainMesh mesh = GetParam().make(random.between(20, 300), random);
-    const TriangleMesh engine = engineMesh(mesh);
-    CurveMaker maker(mesh, random);
-    const std::vector<Polyline> curves = maker.anySource();
-    const std::vector<MeshPoint> queries = randomPoints(mesh, 30, random);
-    const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), queries);
-    const double slack = accuracyOn(GetParam()) * largestFinite(truth.vertices);
-    {
-      SCOPED_TRACE(describe(curves));
-      expectPathsToTheSource(mesh, engineCurves(engine, curves), engine, toSources(curves), queries,
-        truth.queries, slack);
-    }
-    const Polyline one = maker.point();
-    SCOPED_TRACE(describe({ one }));
-    const BruteForceResult fromOne = bruteForceDistances(mesh, toSources({ one }), queries);
-    expectPathsBetween(mesh, engine, toSources({ one }).points[0], queries, fromOne.queries, slack);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Kinds, ShortestPaths, ::testing::ValuesIn(meshKinds()),
-  [](const auto& instance) { return std::string(instance.param.name); });

@@ -104,10 +104,8 @@ TEST_P(Refinement, IsNowhereOverTheToleranceOnRandomMeshes)
   constexpr std::uint64_t meshes = meshesOfAKind(12);
   constexpr std::size_t samples = 10000;
   double worst = 0.0;
-  for (std::uint64_t seed = 0; seed < meshes; ++seed)
+  for (Random& random : EachSeed(meshes, 7000))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 7000);
     const PlainMesh mesh = GetParam().make(random.between(50, 250), random);
     CurveMaker maker(mesh, random);
     const double fraction = std::pow(10.0, random.uniform(-3.0, -1.0));
@@ -140,10 +138,8 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Refinement, ::testing::ValuesIn(meshKinds()),
 TEST_P(Refinement, OfAnApproximateFieldMeetsTheToleranceAtEveryEpsilon)
 {
   constexpr std::uint64_t meshes = meshesOfAKind(3);
-  for (std::uint64_t seed = 0; seed < meshes; ++seed)
+  for (Random& random : EachSeed(meshes, 9000))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 9000);
     const PlainMesh mesh = GetParam().make(random.between(50, 250), random);
     CurveMaker maker(mesh, random);
     const std::vector<Polyline> curves = maker.anySource();
@@ -176,9 +172,8 @@ TEST(RefinementOfACoarsePlane, OfAnApproximateFieldMeetsTheTolerance)
 TEST(RefinementOfApproximateFields, PointsOnEdgesHaveTheLeastDistanceOfAllFacesThere)
 {
   std::size_t different = 0;
-  for (std::uint64_t seed = 0; seed < 20; ++seed)
+  for (Random& random : EachSeed(20))
   {
-    Random random(seed);
     const geodesic::TriangleMesh mesh = engineMesh(bumpySheet(6, 6, 0, 0.5, random));
     const geodesic::Id source = static_cast<geodesic::Id>(random.below(mesh.numberOfVertices()));
     const geodesic::DistanceField field = solveKeepingAll(
@@ -196,7 +191,7 @@ TEST(RefinementOfApproximateFields, PointsOnEdgesHaveTheLeastDistanceOfAllFacesT
           least = std::min(least, distance);
           largest = std::max(largest, distance);
         });
-      ASSERT_NEAR(point.distance, least, 1e-12) << "seed " << seed;
+      ASSERT_NEAR(point.distance, least, 1e-12);
       different += largest > least + 1e-9 ? 1 : 0;
     }
   }
@@ -347,9 +342,8 @@ long double errorFromFirstCorner(const TriangleMesh& mesh)
 
 TEST(RefinementOfOneFace, TheBoundHoldsToTheLastDigit)
 {
-  for (std::uint64_t seed = 0; seed < 300; ++seed)
+  for (Random& random : EachSeed(300))
   {
-    Random random(seed);
     PlainMesh mesh = { {}, { { 0, 1, 2 } } };
     for (int i = 0; i < 3; ++i)
     {
@@ -360,8 +354,8 @@ TEST(RefinementOfOneFace, TheBoundHoldsToTheLastDigit)
     const DistanceField field = solveKeepingAll(engine, engineCurves(engine, source));
     const long double error = errorFromFirstCorner(engine);
     const RefinedMesh refined = refineTo(field, static_cast<double>(1.01L * error));
-    EXPECT_EQ(refined.triangles.size(), 1u) << "seed " << seed;
-    EXPECT_GE(static_cast<long double>(refined.errorBound), error) << "seed " << seed;
+    EXPECT_EQ(refined.triangles.size(), 1u);
+    EXPECT_GE(static_cast<long double>(refined.errorBound), error);
   }
 }
 

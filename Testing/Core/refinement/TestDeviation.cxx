@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The deviation of a distance from linear, and the table of section 6.2.
-#include "Seeds.h"
+#include "EngineSupport.h"
 #include "truth/TestMeshes.h"
 
 #include "refinement/Deviation.h"
@@ -134,32 +134,31 @@ TEST(SplitPosition, EachRowOfTheTableOfSection62)
 TEST(Deviation, ClosedFormIsTheLargestOfDenseSamples)
 {
   constexpr int samples = 2000;
-  for (std::uint64_t seed = 0; seed < 3000; ++seed)
+  for (Random& random : EachSeed(3000))
   {
-    Random random(seed);
     const double length = std::pow(10.0, random.uniform(-9.0, 9.0));
     const std::vector<Window> envelope = randomEnvelope(length, random);
     const double atBegin = random.uniform(0.0, 2.0) * length;
     // slopes beyond one come from rounding and from approximate fields
     const double slope = random.uniform(-1.1, 1.1);
     const double atEnd = atBegin + slope * length;
-    const Deviation d = largestDeviation(envelope, length, atBegin, atEnd);
+    const Deviation d = largestDeviation(envelope, 0.0, length, atBegin, atEnd);
     for (int i = 0; i <= samples; ++i)
     {
       const double x = length * i / samples;
       const double difference = at(envelope, x) - (atBegin + slope * x);
-      ASSERT_LE(difference, d.above + Rounding * length) << "seed " << seed << ", x " << x;
-      ASSERT_GE(difference, -d.below - Rounding * length) << "seed " << seed << ", x " << x;
+      ASSERT_LE(difference, d.above + Rounding * length) << "x " << x;
+      ASSERT_GE(difference, -d.below - Rounding * length) << "x " << x;
     }
     if (d.above > 0.0)
     {
       const double x = d.aboveAt * length;
-      EXPECT_TRUE(occurs(envelope, x, atBegin + slope * x, d.above)) << "seed " << seed;
+      EXPECT_TRUE(occurs(envelope, x, atBegin + slope * x, d.above));
     }
     if (d.below > 0.0)
     {
       const double x = d.belowAt * length;
-      EXPECT_TRUE(occurs(envelope, x, atBegin + slope * x, -d.below)) << "seed " << seed;
+      EXPECT_TRUE(occurs(envelope, x, atBegin + slope * x, -d.below));
     }
     EXPECT_EQ(d.largest(), std::max(d.above, d.below));
     EXPECT_EQ(d.at(), d.above >= d.below ? d.aboveAt : d.belowAt);
@@ -170,14 +169,13 @@ TEST(Deviation, ClosedFormIsTheLargestOfDenseSamples)
 // finds without a formula.
 TEST(Deviation, ExtremaAreThoseThatBisectionFinds)
 {
-  for (std::uint64_t seed = 0; seed < 3000; ++seed)
+  for (Random& random : EachSeed(3000, 10000))
   {
-    Random random(seed + 10000);
     const double length = std::pow(10.0, random.uniform(-9.0, 9.0));
     const std::vector<Window> envelope = randomEnvelope(length, random);
     const double atBegin = random.uniform(0.0, 2.0) * length;
     const double slope = random.uniform(-1.1, 1.1);
-    const Deviation d = largestDeviation(envelope, length, atBegin, atBegin + slope * length);
+    const Deviation d = largestDeviation(envelope, 0.0, length, atBegin, atBegin + slope * length);
     long double above = 0.0L;
     long double below = 0.0L;
     for (const Window& w : envelope)
@@ -190,8 +188,8 @@ TEST(Deviation, ExtremaAreThoseThatBisectionFinds)
         below = std::max(below, -e);
       }
     }
-    EXPECT_NEAR(d.above / length, static_cast<double>(above / length), Rounding) << "seed " << seed;
-    EXPECT_NEAR(d.below / length, static_cast<double>(below / length), Rounding) << "seed " << seed;
+    EXPECT_NEAR(d.above / length, static_cast<double>(above / length), Rounding);
+    EXPECT_NEAR(d.below / length, static_cast<double>(below / length), Rounding);
   }
 }
 
@@ -209,7 +207,7 @@ TEST(Deviation, ExtremumOfACircularWindowIsWhereTheCorrectedFormulaPutsIt)
 {
   // distance sqrt(x^2 + 1) on [-1, 3] shifted to begin at 0, against its chord
   const Window w = { 0.0, 4.0, 1.0, 1.0, 0.0, 0.0, Window::Kind::Circular, 0 };
-  const Deviation d = largestDeviation({ w }, 4.0, std::sqrt(2.0), std::sqrt(10.0));
+  const Deviation d = largestDeviation({ w }, 0.0, 4.0, std::sqrt(2.0), std::sqrt(10.0));
   const double a = (std::sqrt(10.0) - std::sqrt(2.0)) / 4.0;
   const double q = 1.0 + a / std::sqrt(1.0 - a * a);
   EXPECT_NEAR(d.belowAt, q / 4.0, 1e-15);
@@ -249,11 +247,8 @@ std::size_t fewestPieces(double h, double begin, double end, double tolerance)
 
 TEST(DistanceAlongEdge, CutsAHyperbolaIntoTheFewestPieces)
 {
-  const Seeds seeds = seedsOfTest(300);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(300))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
     const double length = random.uniform(0.1, 10.0);
     const double h = std::pow(10.0, random.uniform(-2.0, 1.0)) * length;
     const double source = random.uniform(-1.0, 2.0) * length;

@@ -13,7 +13,7 @@
 
 using namespace geodesictest;
 using geodesic::FaceBounds;
-using geodesic::ListInBand;
+using geodesic::MeasuredList;
 using geodesic::TriangleMesh;
 using geodesic::Window;
 using geodesic::WindowRange;
@@ -33,6 +33,37 @@ PlainMesh randomFace(Random& random)
   return { { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 },
              { random.uniform(-0.5, 1.5), random.uniform(0.05, 1.5), 0.0 } },
     { { 0, 1, 2 } } };
+}
+
+/// A list that has passed, with the distances at the ends of its halfedge.
+geodesic::PassedList passed(
+  geodesic::Id halfedge, std::vector<Window>& windows, const std::array<double, 2>& ends)
+{
+  return { halfedge, { windows.data(), static_cast<std::uint32_t>(windows.size()), 0 }, ends };
+}
+
+/// The bounds of a face, all of whose lists were found in bands of this half width.
+FaceBounds boundsByBands(
+  const TriangleMesh& mesh, const Corners& d, const geodesic::MeasuredLists& lists, double limit)
+{
+  const geodesic::ClosureBound closure =
+    geodesic::testLinear(mesh, 0, d, lists, 4.0 * limit, geodesic::Infinity).byBand;
+  if (!(closure.bound < geodesic::Infinity))
+  {
+    return {};
+  }
+  return { closure.above, closure.bound - static_cast<double>(closure.above) };
+}
+
+/// Lists through all halfedges, found to be in their bands.
+geodesic::MeasuredLists listsInBands(const Corners& d)
+{
+  geodesic::MeasuredLists lists;
+  for (geodesic::Id k = 0; k < 3; ++k)
+  {
+    lists.push_front({ { k, {}, { d[k], d[(k + 1) % 3] } }, true, true });
+  }
+  return lists;
 }
 
 /// Points of the face, its border included.
@@ -189,16 +220,15 @@ TEST(FaceBounds, HoldInAFaceWithoutArea)
     engineMesh({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 0, 0 } }, { { 0, 1, 2 } } });
   const Corners d = { 0.5, 0.5, 0.0 };
   EXPECT_GE(geodesic::boundsOfFace(mesh, 0, d, {}, 10.0).below, 0.5);
-  EXPECT_GE(geodesic::boundsFromBands(mesh, 0, d, { true, true, true }, 0.1).below, 0.5);
+  EXPECT_GE(boundsByBands(mesh, d, listsInBands(d), 0.1).below, 0.5);
 }
 
 // Corners may have become nearer since; then nothing is claimed about them.
 TEST(FaceBounds, NothingThroughAHalfedgeIsFartherBelowWhateverTheCorners)
 {
   int inside = 0;
-  for (std::uint64_t seed = 0; seed < 4000; ++seed)
+  for (Random& random : EachSeed(4000, 20000))
   {
-    Random random(seed + 20000);
     const PlainMesh plain = randomFace(random);
     const TriangleMesh mesh = engineMesh(plain);
     const auto k = static_cast<geodesic::Id>(random.below(3));
@@ -209,8 +239,7 @@ TEST(FaceBounds, NothingThroughAHalfedgeIsFartherBelowWhateverTheCorners)
     {
       distance += random.uniform(-0.5, 0.5);
     }
-    const WindowRange range{ lists[k].data(), lists[k].data() + 1 };
-    const double bound = geodesic::belowThroughHalfedge(mesh, k, d, { &range, &range + 1 });
+    const double bound = geodesic::boundWithLate(mesh, passed(k, lists[k], {}), 0.0F, d);
     double onHalfedge = 0.0;
     double anywhere = 0.0;
     for (const Barycentric& place : pointsOfFace())
@@ -219,7 +248,7 @@ TEST(FaceBounds, NothingThroughAHalfedgeIsFartherBelowWhateverTheCorners)
       anywhere = std::max(anywhere, below);
       onHalfedge = place[(k + 2) % 3] == 0.0 ? std::max(onHalfedge, below) : onHalfedge;
     }
-    EXPECT_LE(anywhere, bound + Rounding) << "seed " << seed;
+    EXPECT_LE(anywhere, bound + Rounding);
     inside += anywhere > onHalfedge + 0.01 ? 1 : 0;
   }
   EXPECT_GT(inside, 100) << "few were farther below inside than on the halfedge";
@@ -257,9 +286,8 @@ std::vector<Window> listNearLine(double length, double off, Random& random)
 // The distance is 0 all along the source.
 TEST(QuickError, IsNoLessThanTheInterpolantAtEitherEndOfASourceInTheFace)
 {
-  for (std::uint64_t seed = 0; seed < 2000; ++seed)
+  for (Random& random : EachSeed(2000))
   {
-    Random random(seed);
     const PlainMesh plain = randomPlanar(2, 2, random);
     const TriangleMesh mesh = engineMesh(plain);
     const MeshSegment segment{ random.below(mesh.numberOfFaces()), randomWeights(random),
@@ -276,39 +304,40 @@ TEST(QuickError, IsNoLessThanTheInterpolantAtEitherEndOfASourceInTheFace)
       {
         interpolant += end[k] * field.vertexDistances()[mesh.triangle(segment.face)[k]];
       }
-      EXPECT_GE(error.byWindows + error.rounding, interpolant) << "seed " << seed;
+      EXPECT_GE(error.byWindows + error.rounding, interpolant);
     }
   }
 }
 
-TEST(ListInBand, SaysYesOnlyOfListsThatStayInTheBand)
+TEST(MeasuredList, SaysYesOnlyOfListsThatStayInTheBand)
 {
+  const TriangleMesh mesh =
+    engineMesh({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } });
   std::array<int, 2> found{};
-  for (std::uint64_t seed = 0; seed < 20000; ++seed)
+  for (Random& random : EachSeed(20000))
   {
-    Random random(seed);
     const double limit = std::pow(10.0, random.uniform(-3.0, -0.5));
-    const std::vector<Window> list = listNearLine(1.0, limit, random);
+    std::vector<Window> list = listNearLine(1.0, limit, random);
     const double atOrigin = list.front().distance(0.0) + random.uniform(-0.2, 0.2) * limit;
     const double atEnd = list.back().distance(1.0) + random.uniform(-0.2, 0.2) * limit;
-    const ListInBand inBand =
-      geodesic::listInBand({ list.data(), list.data() + list.size() }, 1.0, atOrigin, atEnd, limit);
-    found[0] += inBand.staysAboveBand ? 1 : 0;
-    found[1] += inBand.staysBelowBand ? 1 : 0;
+    const MeasuredList inBand =
+      geodesic::measuredList(mesh, passed(0, list, { atOrigin, atEnd }), 4.0 * limit);
+    found[0] += inBand.hasNoneBelow ? 1 : 0;
+    found[1] += inBand.hasNoneAbove ? 1 : 0;
     double covered = 0.0;
     for (const Window& w : list)
     {
-      EXPECT_TRUE(!inBand.staysBelowBand || w.begin - covered <= 0.25 * limit) << "a wide gap";
+      EXPECT_TRUE(!inBand.hasNoneAbove || w.begin - covered <= 0.25 * limit) << "a wide gap";
       covered = w.end;
       for (int k = 0; k <= 20; ++k)
       {
         const double x = w.begin + 0.05 * k * w.width();
         const double over = w.distance(x) - (atOrigin + (atEnd - atOrigin) * x);
-        EXPECT_TRUE(!inBand.staysBelowBand || over <= limit + Rounding) << over << " of " << limit;
-        EXPECT_TRUE(!inBand.staysAboveBand || -over <= limit + Rounding) << over << " of " << limit;
+        EXPECT_TRUE(!inBand.hasNoneAbove || over <= limit + Rounding) << over << " of " << limit;
+        EXPECT_TRUE(!inBand.hasNoneBelow || -over <= limit + Rounding) << over << " of " << limit;
       }
     }
-    EXPECT_TRUE(!inBand.staysBelowBand || 1.0 - covered <= 0.25 * limit);
+    EXPECT_TRUE(!inBand.hasNoneAbove || 1.0 - covered <= 0.25 * limit);
   }
   for (const int count : found)
   {
@@ -318,7 +347,7 @@ TEST(ListInBand, SaysYesOnlyOfListsThatStayInTheBand)
 }
 
 // A nearly plane front from beyond one halfedge or two, sometimes a little off.
-TEST(ListInBand, BoundsOfTheFaceHoldWhereItsListsAreInTheirBands)
+TEST(MeasuredList, BoundsOfTheFaceHoldWhereItsListsAreInTheirBands)
 {
   int finite = 0;
   double nearest = 0.0;
@@ -343,21 +372,17 @@ TEST(ListInBand, BoundsOfTheFaceHoldWhereItsListsAreInTheirBands)
     {
       distance += random.uniform(-0.9, 0.9) * limit;
     }
-    std::array<bool, 3> staysBelowBand{};
-    bool staysAboveBand = true;
-    for (std::size_t k = 0; k < 3; ++k)
+    geodesic::MeasuredLists measuredLists;
+    for (geodesic::Id k = 0; k < 3; ++k)
     {
       if (!lists[k].empty())
       {
-        const WindowRange range{ lists[k].data(), lists[k].data() + 1 };
-        const ListInBand inBand = geodesic::listInBand(
-          range, mesh.length(static_cast<geodesic::Id>(k)), d[k], d[(k + 1) % 3], limit);
-        staysAboveBand = staysAboveBand && inBand.staysAboveBand;
-        staysBelowBand[k] = inBand.staysBelowBand;
+        measuredLists.push_front(
+          geodesic::measuredList(mesh, passed(k, lists[k], { d[k], d[(k + 1) % 3] }), 4.0 * limit));
       }
     }
-    const FaceBounds bounds = geodesic::boundsFromBands(mesh, 0, d, staysBelowBand, limit);
-    if (!staysAboveBand || !(bounds.above < geodesic::Infinity))
+    const FaceBounds bounds = boundsByBands(mesh, d, measuredLists, limit);
+    if (!(bounds.below < geodesic::Infinity))
     {
       continue;
     }
@@ -373,13 +398,12 @@ TEST(ListInBand, BoundsOfTheFaceHoldWhereItsListsAreInTheirBands)
 
 // A list in its band may leave gaps of a quarter of the limit. In the middle of one the distance
 // may be an eighth of the limit above the windows beside it.
-TEST(ListInBand, BoundsOfTheFaceAllowForTheGapsOfItsLists)
+TEST(MeasuredList, BoundsOfTheFaceAllowForTheGapsOfItsLists)
 {
   const PlainMesh plain = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0.3, 1, 0 } }, { { 0, 1, 2 } } };
   const Corners rise = { 0.0, 0.0, 1.0 };
   constexpr double limit = 0.1;
-  const FaceBounds bounds =
-    geodesic::boundsFromBands(engineMesh(plain), 0, rise, { true, true, true }, limit);
+  const FaceBounds bounds = boundsByBands(engineMesh(plain), rise, listsInBands(rise), limit);
   EXPECT_GE(bounds.above, 1.125 * limit);
   EXPECT_GE(bounds.below, limit);
   EXPECT_LT(bounds.above, 2.0 * limit);

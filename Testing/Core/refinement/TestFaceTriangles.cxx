@@ -2,7 +2,6 @@
 // The triangulation of one face, the points of an edge, and that refinement ends on any surface.
 // GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
 #include "EngineSupport.h"
-#include "Seeds.h"
 #include "refinement/RefinementSupport.h"
 #include "truth/CappedMeshes.h"
 #include "truth/RandomMeshKinds.h"
@@ -143,11 +142,8 @@ bool isWellInCircle(geodesic::Vec2 a, geodesic::Vec2 b, geodesic::Vec2 c, geodes
 
 TEST(FaceTriangles, SplitsAndFlipsKeepOneTriangulation)
 {
-  const Seeds seeds = seedsOfTest(300);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(300))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
     FaceTriangles face(0, randomFace(random));
     const Index splits = random.between(1, 60);
     for (Index i = 0; i < splits; ++i)
@@ -164,11 +160,8 @@ TEST(FaceTriangles, SplitsAndFlipsKeepOneTriangulation)
 
 TEST(FaceTriangles, FlipsEndAtDelaunaysTriangles)
 {
-  const Seeds seeds = seedsOfTest(300);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(300, 5000))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 5000);
     FaceTriangles face(0, randomFace(random));
     for (Index i = random.between(2, 40); i > 0; --i)
     {
@@ -212,11 +205,8 @@ TEST(FaceTriangles, PointsOfOneSideAreNoTriangle)
 
 TEST(CutEdges, PointsLieInTheirOrderAndBetweenTheirParents)
 {
-  const Seeds seeds = seedsOfTest(100);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(100))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
     const TriangleMesh mesh = engineMesh(regularGrid(1, 1));
     CutEdges edges(mesh);
     const Id halfedge = static_cast<Id>(random.below(mesh.numberOfHalfedges()));
@@ -233,7 +223,7 @@ TEST(CutEdges, PointsLieInTheirOrderAndBetweenTheirParents)
     for (Index i = random.between(1, 30); i > 0; --i)
     {
       const Id piece = static_cast<Id>(random.below(edges[edge].numberOfPieces()));
-      edges.split(edge, piece, random.uniform(0.1, 0.9), 0.0, false);
+      edges.split(edge, { piece, false, random.uniform(0.1, 0.9), 0.0 });
       const geodesic::PointOnEdge& added = edges.points().back();
       const double from = placeOf(added.parents[0]);
       const double to = placeOf(added.parents[1]);
@@ -257,15 +247,13 @@ TEST(CutEdges, PointsLieInTheirOrderAndBetweenTheirParents)
 // points of the edges only.
 TEST(RefinedFaces, AFaceThatIsNotRefinedIsClosedBetweenThePointsOnItsEdges)
 {
-  const Seeds seeds = seedsOfTest(50);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(50))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
     const TriangleMesh mesh = engineMesh(bumpySheet(3, 3, 0, 0.5, random));
     const auto field =
       solveKeepingAll(mesh, { geodesic::pointCurve(geodesic::SurfacePoint::atVertex(0)) });
-    geodesic::RefinedFaces faces(field);
+    const std::vector<std::uint8_t> isFrozen(mesh.numberOfFaces(), 1);
+    geodesic::RefinedFaces faces(field, isFrozen);
     const Id face = static_cast<Id>(random.below(mesh.numberOfFaces()));
     std::size_t added = 0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -274,7 +262,7 @@ TEST(RefinedFaces, AFaceThatIsNotRefinedIsClosedBetweenThePointsOnItsEdges)
       for (Index i = random.between(0, 4); i > 0; --i)
       {
         const Id piece = static_cast<Id>(random.below(faces.edges[edge].numberOfPieces()));
-        faces.edges.split(edge, piece, random.uniform(0.1, 0.9), 0.0, false);
+        faces.edges.split(edge, { piece, false, random.uniform(0.1, 0.9), 0.0 });
         ++added;
       }
     }
@@ -306,7 +294,7 @@ TEST(RefinementOfAnySurface, EndsSoon)
 {
   constexpr double most = 10.0; // seconds of a processor
   double worst = 0.0;
-  const auto test = [&](Random& random)
+  for (Random& random : EachSeed(meshesOfAKind(100), 90000))
   {
     PlainMesh plain =
       meshKinds()[random.below(meshKinds().size())].make(random.between(4, 80), random);
@@ -328,7 +316,7 @@ TEST(RefinementOfAnySurface, EndsSoon)
       : geodesic::boundaryCurves(mesh);
     if (curves.empty())
     {
-      return;
+      continue;
     }
     geodesic::FrontOptions options;
     options.relativeError = random.chance(0.3) ? 0.01 : 0.0;
@@ -341,7 +329,7 @@ TEST(RefinementOfAnySurface, EndsSoon)
     const double tolerance = std::pow(10.0, random.uniform(-4.0, -1.0)) * size;
     if (!(tolerance > 0.0))
     {
-      return;
+      continue;
     }
     const auto field = solveForRefinement(mesh, curves, tolerance, options);
     const std::clock_t begin = std::clock(); // the front may make very many windows in a pocket
@@ -353,7 +341,6 @@ TEST(RefinementOfAnySurface, EndsSoon)
     const Points points(field, refined);
     expectFacesPartitioned(mesh, refined, points);
     expectWatertight(mesh, refined, points);
-  };
-  forEachSeed(meshesOfAKind(100), 90000, test);
+  }
   std::cout << "the slowest took " << worst << " s\n";
 }

@@ -221,10 +221,8 @@ protected:
 TEST_P(KeptWindows, AreEnoughForRefinementOnRandomMeshes)
 {
   std::size_t dropped = 0;
-  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  for (Random& random : EachSeed(6, 9100))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 9100);
     const PlainMesh mesh = GetParam().make(random.between(50, 200), random);
     CurveMaker maker(mesh, random);
     const double fraction = std::pow(10.0, random.uniform(-2.0, -0.5));
@@ -241,10 +239,8 @@ TEST_P(KeptWindows, AreEnoughForRefinementUpToALimit)
 {
   std::size_t leftAlone = 0;
   std::size_t dropped = 0;
-  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  for (Random& random : EachSeed(6, 9200))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 9200);
     const PlainMesh mesh = GetParam().make(random.between(100, 300), random);
     CurveMaker maker(mesh, random);
     const std::vector<Polyline> curves = { maker.any() };

@@ -4,7 +4,6 @@
 #include "EngineSupport.h"
 #include "OnThreads.h"
 #include "RanksSupport.h"
-#include "Seeds.h"
 #include "refinement/RefinementSupport.h"
 
 #include "refinement/SolveForRefinement.h"
@@ -78,7 +77,7 @@ Result refineOf(const Task& task, DistanceField field)
   options.tolerance = task.tolerance;
   options.maximumFaces = task.maximumFaces;
   options.job = task.job;
-  options.regionOf = [&](const geodesic::SurfacePoint& point) { return regions.at(point); };
+  options.regions = &regions;
   RefinedMesh refined = refine(field, options);
   return { std::move(field), std::move(refined) };
 }
@@ -239,11 +238,8 @@ int sideOf(const Vec3& p, const Vec3& a, const Vec3& b)
 TEST_P(Regions, HaveBordersAsNarrowAsTheTolerance)
 {
   std::size_t atBorders = 0;
-  const Seeds seeds = seedsOfTest(meshesOfAKind(4));
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(meshesOfAKind(4), 8100))
   {
-    Random random(seed + 8100);
-    SCOPED_TRACE("seed " + std::to_string(seed));
     const Case c = makeCase(random);
     const Whole whole(c.mesh, c.curves);
     const double tolerance = random.uniform(0.01, 0.1) * whole.largest;
@@ -337,10 +333,8 @@ TEST(RegionsBySides, AreNarrowBehindTheEndsAndNotRefinedAlongTheCurve)
 {
   std::size_t atBorders = 0;
   std::size_t longAtCurve = 0;
-  for (std::uint64_t seed = 0; seed < meshesOfAKind(30); ++seed)
+  for (Random& random : EachSeed(meshesOfAKind(30), 8500))
   {
-    Random random(seed + 8500);
-    SCOPED_TRACE("seed " + std::to_string(seed));
     const PlainMesh plain = regularGrid(9, 7);
     CurveMaker maker(plain, random);
     const std::vector<Polyline> curves = { maker.straight(12) };

@@ -2,7 +2,6 @@
 // Refined surfaces of thin triangles: the surface stays, the bound holds everywhere, angles do not
 // get smaller than half the input's, and long edges get no more points than their distance needs.
 #include "EngineSupport.h"
-#include "Seeds.h"
 #include "refinement/RefinementSupport.h"
 
 #include "refinement/SolveForRefinement.h"
@@ -161,11 +160,8 @@ class ThinRefinement : public ::testing::TestWithParam<ThinKind>
 
 TEST_P(ThinRefinement, KeepsTheSurfaceItsAnglesAndTheBound)
 {
-  const Seeds seeds = seedsOfTest(6);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(6))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
     checkRefinement(GetParam().make(random), random);
   }
 }

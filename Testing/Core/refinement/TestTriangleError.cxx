@@ -100,10 +100,8 @@ Deviation onEdgesOf(const PlainMesh& mesh, const std::array<double, 3>& d)
 // search must combine them, or it ends before it has halved the triangle often enough.
 TEST(TriangleError, ProvesALimitCloseToTheDifferenceWhereFrontsMeet)
 {
-  for (std::uint64_t seed = 0; seed < 100; ++seed)
+  for (Random& random : EachSeed(100))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
     const PlainMesh plain = faceBetweenSources(random);
     const TriangleMesh mesh = engineMesh(plain);
     const geodesic::DistanceField field = solveKeepingAll(mesh,

@@ -109,26 +109,6 @@ void expectParts(const PlainMesh& whole, const PlainMesh& open)
   EXPECT_EQ(foundVertices, expectedVertices);
 }
 
-TEST(BoundaryOutsideBarriers, OnRandomMeshesItIsThePartOfTheBoundaryOnOpenFaces)
-{
-  Random random(8);
-  for (const geodesictest::MeshKind& kind : geodesictest::meshKinds())
-  {
-    for (int i = 0; i < 15; ++i)
-    {
-      const PlainMesh whole = kind.make(random.between(20, 150), random);
-      const double share = random.uniform(0.0, 0.9);
-      std::vector<bool> isBarrier(whole.triangles.size());
-      for (std::size_t f = 1; f < isBarrier.size(); ++f)
-      {
-        isBarrier[f] = random.chance(share);
-      }
-      SCOPED_TRACE(kind.name);
-      expectParts(whole, without(whole, isBarrier));
-    }
-  }
-}
-
 /// The mesh with renumbered vertices: those of faces that are not barriers come first.
 PlainMesh renumbered(const PlainMesh& mesh, const PlainMesh& open)
 {
@@ -157,61 +137,40 @@ PlainMesh renumbered(const PlainMesh& mesh, const PlainMesh& open)
   return result;
 }
 
-TEST(BoundaryOutsideBarriers, TheMeshNeedNotHaveVerticesThatOnlyBarriersHave)
+// The mesh of the open faces may lack vertices that only barriers have.
+TEST(BoundaryOutsideBarriers, OnRandomMeshesItIsThePartOfTheBoundaryOnOpenFaces)
 {
-  Random random(9);
+  Random random(8);
   for (const geodesictest::MeshKind& kind : geodesictest::meshKinds())
   {
-    for (int i = 0; i < 10; ++i)
+    for (int i = 0; i < 25; ++i)
     {
       PlainMesh whole = kind.make(random.between(20, 150), random);
+      const double share = random.uniform(0.0, 0.9);
       std::vector<bool> isBarrier(whole.triangles.size());
-      const double share = random.uniform(0.3, 0.9);
       for (std::size_t f = 1; f < isBarrier.size(); ++f)
       {
         isBarrier[f] = random.chance(share);
       }
-      whole = renumbered(whole, without(whole, isBarrier));
+      const bool areVerticesMissing = random.chance(0.4);
+      whole = areVerticesMissing ? renumbered(whole, without(whole, isBarrier)) : whole;
       PlainMesh open = without(whole, isBarrier);
-      const std::vector<SourceCurve> boundary = numberedBoundary(whole);
-      const std::vector<SourceCurve> expected = boundaryOutsideBarriers(boundary, engineMesh(open));
-      Index used = 0;
-      for (const geodesictest::Triangle& t : open.triangles)
+      if (areVerticesMissing)
       {
-        used = std::max(used, 1 + *std::max_element(t.begin(), t.end()));
-      }
-      open.points.resize(used);
-      const std::vector<SourceCurve> parts = boundaryOutsideBarriers(boundary, engineMesh(open));
-      SCOPED_TRACE(kind.name);
-      ASSERT_EQ(parts.size(), expected.size());
-      for (std::size_t k = 0; k < parts.size(); ++k)
-      {
-        EXPECT_EQ(parts[k].faces, expected[k].faces);
-        EXPECT_EQ(parts[k].source, expected[k].source);
-        ASSERT_EQ(parts[k].points.size(), expected[k].points.size());
-        for (std::size_t p = 0; p < parts[k].points.size(); ++p)
+        Index used = 0;
+        for (const geodesictest::Triangle& t : open.triangles)
         {
-          EXPECT_EQ(parts[k].points[p].id, expected[k].points[p].id);
+          used = std::max(used, 1 + *std::max_element(t.begin(), t.end()));
         }
+        open.points.resize(used);
       }
+      SCOPED_TRACE(kind.name);
+      expectParts(whole, open);
     }
   }
 }
 
-TEST(BoundaryOutsideBarriers, ALoopWithoutBarriersStaysClosed)
-{
-  // The barrier is inside.
-  const PlainMesh whole = geodesictest::regularGrid(3, 3);
-  std::vector<bool> isBarrier(whole.triangles.size(), false);
-  isBarrier[8] = isBarrier[9] = true;
-  const std::vector<SourceCurve> parts =
-    boundaryOutsideBarriers(numberedBoundary(whole), engineMesh(without(whole, isBarrier)));
-  ASSERT_EQ(parts.size(), 1u);
-  EXPECT_TRUE(parts[0].isClosed());
-  EXPECT_EQ(parts[0].points.size(), 13u);
-  EXPECT_EQ(parts[0].source, 10u);
-}
-
+// A barrier inside leaves no gap.
 TEST(BoundaryOutsideBarriers, ALoopWithOneGapIsOneCurve)
 {
   const PlainMesh whole = geodesictest::regularGrid(3, 3);
@@ -226,6 +185,8 @@ TEST(BoundaryOutsideBarriers, ALoopWithOneGapIsOneCurve)
     const std::size_t left = boundary[0].faces.size() - parts[0].faces.size();
     EXPECT_LE(left, 2u);
     EXPECT_EQ(parts[0].isClosed(), left == 0);
+    EXPECT_EQ(parts[0].points.size(), 13 - left);
+    EXPECT_EQ(parts[0].source, 10u);
   }
 }
 

@@ -117,11 +117,8 @@ class PlacesBesideSurface : public ::testing::TestWithParam<MeshKind>
 TEST_P(PlacesBesideSurface, APointGoesToTheClosestOne)
 {
   double worst = 0.0;
-  const Seeds seeds = seedsOfTest(SeedsOfAKind);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(SeedsOfAKind, 41000))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 41000);
     const PlainMesh plain = GetParam().make(random.between(20, 120), random);
     const TriangleMesh mesh = engineMesh(plain);
     const bool isFloat = random.chance(0.5);

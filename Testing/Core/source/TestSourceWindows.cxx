@@ -242,10 +242,8 @@ TEST(SourceWindows, RaysOfASegmentFromACornerLeaveThroughTheEdgeOnTheirSide)
 TEST(SourceWindows, RaysOfASegmentNearlyAtARightAngleToAnEdgeStayOnTheirSideOfTheCorner)
 {
   std::size_t leavingOnTheirSide = 0;
-  for (std::uint64_t seed = 0; seed < 2000; ++seed)
+  for (Random& random : EachSeed(2000))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
     const double sign = random.chance(0.5) ? 1.0 : -1.0;
     const double length = random.uniform(0.5, 2.0);
     const geodesic::Vec3 atRightAngle = { sign * length, 0, 0 };

@@ -319,4 +319,14 @@ AnalyticCase bowTieCase(Random& random)
   return c;
 }
 
+const std::vector<AnalyticConfiguration>& analyticConfigurations()
+{
+  static const std::vector<AnalyticConfiguration> table = { { "Plane", planeCase },
+    { "NeedlesInAPlane", stretchedPlaneCase }, { "RegularGrid", regularGridCase },
+    { "Box", boxCase }, { "Cylinder", cylinderCase }, { "Cone", coneCase },
+    { "SaddleFan", saddleFanCase }, { "Tetrahedron", tetrahedronCase }, { "Holes", holesCase },
+    { "LShape", lShapeCase }, { "FlatBook", bookCase }, { "BowTie", bowTieCase } };
+  return table;
+}
+
 }

@@ -41,6 +41,14 @@ AnalyticCase bookCase(Random& random);
 /// Two rectangles with one common vertex.
 AnalyticCase bowTieCase(Random& random);
 
+/// All of these.
+struct AnalyticConfiguration
+{
+  const char* name;
+  AnalyticCase (*make)(Random& random);
+};
+const std::vector<AnalyticConfiguration>& analyticConfigurations();
+
 }
 
 #endif

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refinement/SurfaceRefiner.h"
+
+#include "refinement/FaceBounds.h"
+#include "refinement/RefinementOutput.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// Where the first pass over all faces ends in the job.
+constexpr double FacesAssessed = 0.3;
+
+/// The most triangles of one rank: ids are 3 * triangle + k.
+constexpr std::uint64_t MostOfRank = NoId / 5;
+
+} // anonymous namespace
+
+SurfaceRefiner::SurfaceRefiner(const DistanceField& field, const RefinementOptions& options,
+  const std::vector<std::uint8_t>& isFrozen, double tolerance)
+  : options_(options)
+  , surface_(field.surface())
+  , tolerance_(tolerance)
+  , faces_(field, isFrozen)
+  , splits_(faces_, tolerance, options.job)
+  , numberOfTriangles_(surface_.endOfOwnFaces() - surface_.firstOwnFace())
+  , bound_(surface_.exchange().largestOf(field.droppedErrorBound()))
+{
+  if (options.regions)
+  {
+    this->regions_.emplace(this->faces_, *options.regions, tolerance);
+  }
+}
+
+bool SurfaceRefiner::run()
+{
+  this->assessFaces();
+  if (!this->refineFaces(nullptr))
+  {
+    return false;
+  }
+  if (!this->regions_)
+  {
+    return true;
+  }
+  this->findBorders();
+  return this->refineFaces(&*this->regions_);
+}
+
+RefinedMesh SurfaceRefiner::result(const Job& job)
+{
+  const bool areVertices =
+    this->options_.cornerPoints.empty() && this->surface_.mesh().numberOfFaces() > 0;
+  const std::vector<Id> unknown = this->unknownAtBorders();
+  RefinedMesh result = writeOutput(this->faces_, this->options_,
+    areVertices ? this->surface_.numberOfOwnVertices() : this->options_.numberOfPoints, job);
+  result.errorBound = this->surface_.exchange().largestOf(this->boundOfAll());
+  result.unknownAtBorders = unknown;
+  return result;
+}
+
+double SurfaceRefiner::shareOfRoom() const
+{
+  const auto own = static_cast<double>(this->surface_.numberOfGlobalFaces());
+  return (static_cast<double>(this->trianglesOfAll_) - own) /
+    (static_cast<double>(this->options_.maximumFaces) - own);
+}
+
+// Works in batches. Each batch knows the bound certified by the previous ones, however many
+// threads there are.
+void SurfaceRefiner::assessFaces()
+{
+  constexpr Id facesInBatch = 2 * ItemsInRange;
+  const Id first = this->surface_.firstOwnFace();
+  const Id end = this->surface_.endOfOwnFaces();
+  for (Id face = first; face < end; face += std::min(facesInBatch, end - face))
+  {
+    this->options_.job.reach(FacesAssessed * (face - first) / (end - first));
+    this->assessFaces(face, face + std::min(facesInBatch, end - face));
+  }
+}
+
+void SurfaceRefiner::assessFaces(Id first, Id end)
+{
+  const double known = this->bound_;
+  std::vector<QuickError> errors(end - first);
+  this->options_.job.part(0.0, 0.0).loop(errors.size(),
+    [&](std::size_t i)
+    {
+      const Id face = first + static_cast<Id>(i);
+      if (!this->faces_.isFrozen(face))
+      {
+        errors[i] = quickErrorOfFace(this->faces_.field, face, this->tolerance_, known);
+      }
+    });
+  for (Id face = first; face < end; ++face)
+  {
+    const QuickError& error = errors[face - first];
+    if (this->faces_.isFrozen(face))
+    {
+      continue;
+    }
+    if (error.byWindows == Infinity)
+    {
+      this->due_.push_back(face);
+      continue;
+    }
+    // Smaller bounds than that of all faces need not be sharp.
+    const double bound = error.bySize <= this->bound_ ? error.bySize : error.byWindows;
+    this->bound_ = std::max(this->bound_, bound + error.rounding);
+  }
+}
+
+void SurfaceRefiner::findBorders()
+{
+  for (Id face = this->surface_.firstOwnFace(); face < this->surface_.endOfOwnFaces(); ++face)
+  {
+    if (!this->faces_.isFrozen(face) &&
+      (this->faces_.isOpen(face) ||
+        this->regions_->lengthAtBorder(face, this->surface_.mesh().triangle(face)) > 0.0))
+    {
+      this->due_.push_back(face);
+    }
+  }
+}
+
+bool SurfaceRefiner::refineFaces(RegionsOfPoints* regions)
+{
+  this->openDue();
+  std::vector<SplitRequest> requests = this->splits_.measureNew();
+  while (this->isAnythingLeft(requests))
+  {
+    this->takeChanged(this->splits_.split(std::move(requests)));
+    this->openDue();
+    this->splits_.measureNew(); // faces ask for what these need
+    requests = this->work(regions);
+    this->report(requests);
+  }
+  return !this->isOverfull_;
+}
+
+void SurfaceRefiner::openDue()
+{
+  std::sort(this->due_.begin(), this->due_.end());
+  this->due_.erase(std::unique(this->due_.begin(), this->due_.end()), this->due_.end());
+  for (const Id face : this->due_)
+  {
+    if (!this->faces_.isOpen(face))
+    {
+      this->faces_.open(face);
+    }
+  }
+}
+
+// Whether some rank has faces or edges to refine, and all ranks have room.
+bool SurfaceRefiner::isAnythingLeft(const std::vector<SplitRequest>& requests)
+{
+  struct State
+  {
+    std::uint64_t triangles;
+    std::uint64_t isAnyLeft;
+  };
+  const bool isAnyLeft = !requests.empty() || !this->due_.empty();
+  this->trianglesOfAll_ = 0;
+  bool isAnyLeftOfAll = false;
+  for (const State& state : valuesOfRanks(
+         this->surface_.exchange(), State{ this->numberOfTriangles_, isAnyLeft ? 1U : 0U }))
+  {
+    this->trianglesOfAll_ += state.triangles;
+    isAnyLeftOfAll = isAnyLeftOfAll || state.isAnyLeft != 0;
+    this->isOverfull_ = this->isOverfull_ || state.triangles > MostOfRank;
+  }
+  const std::uint64_t maximum = this->options_.maximumFaces;
+  const bool isAnyAdded = this->trianglesOfAll_ > this->surface_.numberOfGlobalFaces();
+  this->isOverfull_ = this->isOverfull_ ||
+    (maximum > 0 && this->trianglesOfAll_ > maximum && (isAnyLeftOfAll || isAnyAdded));
+  return isAnyLeftOfAll && !this->isOverfull_;
+}
+
+// Edges have new points: the faces around them are due.
+void SurfaceRefiner::takeChanged(const std::vector<Id>& edges)
+{
+  this->pointsOn_.resize(this->faces_.edges.size(), 0);
+  for (const Id edge : edges)
+  {
+    const CutEdge& e = this->faces_.edges[edge];
+    const auto added = static_cast<Id>(e.points.size()) - this->pointsOn_[edge];
+    this->pointsOn_[edge] += added;
+    const auto beside = this->options_.trianglesBeside.find(e.halfedge);
+    Id triangles = beside == this->options_.trianglesBeside.end() ? 0 : beside->second;
+    forEachFace(this->surface_.mesh(), SurfacePoint::onEdge(e.halfedge, 0.5),
+      [&](Id face)
+      {
+        if (!this->faces_.isFrozen(face))
+        {
+          this->due_.push_back(face);
+        }
+        else
+        {
+          triangles += this->surface_.isOwn(face) ? 1 : 0;
+        }
+      });
+    this->numberOfTriangles_ += static_cast<std::uint64_t>(added) * triangles;
+  }
+}
+
+// Refines the due faces, each by itself. Returns the points that they need on edges.
+std::vector<SplitRequest> SurfaceRefiner::work(RegionsOfPoints* regions)
+{
+  const std::vector<Id> due = std::exchange(this->due_, {});
+  std::vector<std::vector<SplitRequest>> requests(due.size());
+  std::vector<std::uint8_t> isDone(due.size());
+  const auto refine = [&](std::size_t task, std::size_t i)
+  {
+    FaceTriangles& face = this->faces_.triangles(due[i]);
+    isDone[i] =
+      this->refiners_[task]->refine(face, this->mostPartsOf(due[i]), regions, requests[i]) ? 1 : 0;
+  };
+  for (const Id face : due)
+  {
+    this->numberOfTriangles_ -= this->faces_.triangles(face).numberOfParts();
+  }
+  if (regions) // asks for regions, which one thread may do
+  {
+    this->makeRefiners(1);
+    for (std::size_t i = 0; i < due.size(); ++i)
+    {
+      this->options_.job.look();
+      refine(0, i);
+    }
+  }
+  else
+  {
+    this->options_.job.loopByTasks(
+      due.size(), [this](std::size_t tasks) { this->makeRefiners(tasks); }, refine);
+  }
+  std::vector<SplitRequest> all;
+  for (std::size_t i = 0; i < due.size(); ++i)
+  {
+    this->numberOfTriangles_ += this->faces_.triangles(due[i]).numberOfParts();
+    all.insert(all.end(), requests[i].begin(), requests[i].end());
+    if (isDone[i] == 0)
+    {
+      this->due_.push_back(due[i]);
+    }
+  }
+  return all;
+}
+
+void SurfaceRefiner::makeRefiners(std::size_t count)
+{
+  while (this->refiners_.size() < count)
+  {
+    this->refiners_.push_back(std::make_unique<FaceRefiner>(this->faces_, this->tolerance_));
+  }
+}
+
+// A limit that no face reaches: triangles as small as the tolerance pass, so that splits leave
+// no sides much shorter.
+std::uint64_t SurfaceRefiner::mostPartsOf(Id face) const
+{
+  const double across = this->surface_.mesh().shape(face).longest() / this->tolerance_;
+  const double most = 1000.0 + 100.0 * across * across;
+  const std::uint64_t room =
+    this->options_.maximumFaces > 0 ? this->options_.maximumFaces : MostOfRank;
+  return most < static_cast<double>(room) ? static_cast<std::uint64_t>(most) : room;
+}
+
+// The errors fall from the initial worst to the tolerance, by about the same factor with each
+// round.
+void SurfaceRefiner::report(const std::vector<SplitRequest>& requests)
+{
+  double worst = this->tolerance_;
+  for (const SplitRequest& request : requests)
+  {
+    worst = std::max(worst, request.reason == SplitReason::Error ? request.urgency : 0.0);
+  }
+  this->worstAtFirst_ = std::max(this->worstAtFirst_, worst);
+  const double open = std::log(worst / this->tolerance_);
+  const double openAtFirst = std::log(this->worstAtFirst_ / this->tolerance_);
+  const double done = openAtFirst > 0.0 ? 1.0 - std::clamp(open / openAtFirst, 0.0, 1.0) : 0.0;
+  this->options_.job.part(FacesAssessed, JobOfRun).reach(done);
+}
+
+// The bound of all triangles, those that are left over the tolerance included.
+double SurfaceRefiner::boundOfAll()
+{
+  FaceCheck check(this->faces_, this->tolerance_);
+  double bound = this->bound_;
+  for (FaceTriangles& face : this->faces_.openFaces())
+  {
+    for (const FaceTriangles::Part& part : face.parts())
+    {
+      if (part.hasPassed)
+      {
+        bound = std::max(bound, part.bound);
+        continue;
+      }
+      check.enter(face);
+      bound = std::max(bound, check.of(part.corners, true).bound);
+    }
+  }
+  return bound;
+}
+
+std::vector<Id> SurfaceRefiner::unknownAtBorders()
+{
+  std::vector<Id> unknown;
+  std::vector<Triangle> triangles;
+  for (Id face = this->surface_.firstOwnFace();
+       this->regions_ && face < this->surface_.endOfOwnFaces(); ++face)
+  {
+    if (!this->faces_.field.isDropped(face))
+    {
+      continue;
+    }
+    triangles.clear();
+    appendTriangles(this->faces_, face, {}, triangles);
+    if (std::any_of(triangles.begin(), triangles.end(),
+          [&](const Triangle& corners)
+          { return this->regions_->lengthAtBorder(face, corners) > 0.0; }))
+    {
+      unknown.push_back(face);
+    }
+  }
+  return unknown;
+}
+
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_SurfaceRefiner_h
+#define geodesic_SurfaceRefiner_h
+
+#include "refinement/AdaptiveRefinement.h"
+#include "refinement/FaceRefiner.h"
+#include "refinement/RefinedFaces.h"
+#include "refinement/RegionsOfPoints.h"
+#include "refinement/SplitsOfEdges.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace geodesic
+{
+
+/// Refines a surface to a tolerance, in rounds. In a round faces with new points on their edges
+/// work, each by itself, and ask for more points on edges; then edges get those. All ranks
+/// construct and call this together.
+class SurfaceRefiner
+{
+public:
+  /// The stretch of the job that ends with run(); the output follows.
+  static constexpr double JobOfRun = 0.9;
+
+  /// All arguments must outlive this.
+  ///
+  /// \param isFrozen for each face, not 0 if this rank does not refine it.
+  SurfaceRefiner(const DistanceField& field, const RefinementOptions& options,
+    const std::vector<std::uint8_t>& isFrozen, double tolerance);
+
+  /// \returns whether there is room for the result.
+  bool run();
+  /// The share of the room beside the surface's own faces that is taken, after run().
+  double shareOfRoom() const;
+  RefinedMesh result(const Job& job);
+
+private:
+  void assessFaces();
+  void assessFaces(Id first, Id end);
+  void findBorders();
+  bool refineFaces(RegionsOfPoints* regions);
+  void openDue();
+  bool isAnythingLeft(const std::vector<SplitRequest>& requests);
+  void takeChanged(const std::vector<Id>& edges);
+  std::vector<SplitRequest> work(RegionsOfPoints* regions);
+  void makeRefiners(std::size_t count);
+  std::uint64_t mostPartsOf(Id face) const;
+  void report(const std::vector<SplitRequest>& requests);
+  double boundOfAll();
+  std::vector<Id> unknownAtBorders();
+
+  const RefinementOptions& options_;
+  const MeshPartition& surface_;
+  double tolerance_;
+  RefinedFaces faces_;
+  SplitsOfEdges splits_;
+  std::optional<RegionsOfPoints> regions_;
+  std::vector<std::unique_ptr<FaceRefiner>> refiners_;
+  /// Faces with work to do.
+  std::vector<Id> due_;
+  /// For each edge, how many points have been counted.
+  std::vector<Id> pointsOn_;
+  std::uint64_t numberOfTriangles_;
+  std::uint64_t trianglesOfAll_ = 0;
+  bool isOverfull_ = false;
+  double bound_;
+  double worstAtFirst_ = 0.0;
+};
+
+}
+
+#endif

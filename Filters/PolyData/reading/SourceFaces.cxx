@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/reading/SourceFaces.h"
+
+#include "PolyData/Hash.h"
+#include "PolyData/reading/LineChains.h"
+#include "Tolerance.h"
+#include "mesh/PolygonTriangles.h"
+#include "mesh/SurfaceLocator.h"
+#include "mesh/SurfaceSnap.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// An edge of a source's face: its ends, the lower one first, and where the face has it.
+struct FaceEdge
+{
+  std::array<std::uint64_t, 2> ends;
+  std::size_t face;
+  std::size_t corner;
+
+  bool operator<(const FaceEdge& other) const
+  {
+    return std::tie(this->ends, this->face, this->corner) <
+      std::tie(other.ends, other.face, other.corner);
+  }
+};
+
+/// The edges that have a length, equal ones side by side.
+std::vector<FaceEdge> edgesOf(const std::vector<LocatedPolyline>& faces)
+{
+  using Place = std::array<double, 4>;
+  std::unordered_map<Place, std::uint64_t, Hash> numbers;
+  const auto numberOf = [&numbers](const LocatedPolyline& face, std::size_t i)
+  {
+    const Vec3 p = face.points[i] + Vec3{}; // -0 and 0 are one place
+    const Place place = { p[0], p[1], p[2], static_cast<double>(face.vertexOf(i)) };
+    return numbers.emplace(place, numbers.size()).first->second;
+  };
+  std::vector<FaceEdge> edges;
+  for (std::size_t face = 0; face < faces.size(); ++face)
+  {
+    const std::size_t count = faces[face].points.size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const std::uint64_t a = numberOf(faces[face], i);
+      const std::uint64_t b = numberOf(faces[face], (i + 1) % count);
+      if (a != b)
+      {
+        edges.push_back({ { std::min(a, b), std::max(a, b) }, face, i });
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// The region of each face is the first face in it.
+class RegionsOfFaces
+{
+public:
+  explicit RegionsOfFaces(std::size_t count)
+    : parents_(count)
+  {
+    std::iota(this->parents_.begin(), this->parents_.end(), std::size_t{ 0 });
+  }
+
+  std::size_t of(std::size_t face)
+  {
+    while (this->parents_[face] != face)
+    {
+      this->parents_[face] = this->parents_[this->parents_[face]];
+      face = this->parents_[face];
+    }
+    return face;
+  }
+  void join(std::size_t a, std::size_t b)
+  {
+    const auto [first, other] = std::minmax({ this->of(a), this->of(b) });
+    this->parents_[other] = first;
+  }
+
+private:
+  std::vector<std::size_t> parents_;
+};
+
+LocatedPolyline lineAlong(const LocatedPolyline& face, std::size_t corner)
+{
+  LocatedPolyline line;
+  line.name = face.name;
+  line.source = face.source;
+  for (const std::size_t i : { corner, (corner + 1) % face.points.size() })
+  {
+    line.points.push_back(face.points[i]);
+    line.vertices.push_back(face.vertexOf(i));
+    line.pointNames.push_back(face.nameOfPoint(i));
+  }
+  return line;
+}
+
+LocatedPolyline firstPointOf(const LocatedPolyline& face)
+{
+  LocatedPolyline point = lineAlong(face, 0);
+  point.points.pop_back();
+  point.vertices.pop_back();
+  point.pointNames.pop_back();
+  return point;
+}
+
+/// The faces of a source as a mesh of triangles of their own.
+struct FaceTriangles
+{
+  std::vector<Vec3> points{};
+  std::vector<Triangle> triangles{};
+  /// The face of each triangle, and the first triangle of each face.
+  std::vector<std::size_t> faces{};
+  std::vector<std::size_t> first{};
+  Box box{};
+
+  explicit FaceTriangles(const std::vector<LocatedPolyline>& given)
+  {
+    for (const LocatedPolyline& face : given)
+    {
+      const Id offset = static_cast<Id>(this->points.size());
+      this->first.push_back(this->triangles.size());
+      for (const Triangle& t : trianglesOf(face.points))
+      {
+        this->triangles.push_back({ offset + t[0], offset + t[1], offset + t[2] });
+        this->faces.push_back(this->first.size() - 1);
+      }
+      this->points.insert(this->points.end(), face.points.begin(), face.points.end());
+      std::for_each(face.points.begin(), face.points.end(),
+        [this](const Vec3& point) { this->box.add(point); });
+    }
+    this->first.push_back(this->triangles.size());
+  }
+
+  static std::vector<Triangle> trianglesOf(const std::vector<Vec3>& corners)
+  {
+    return corners.size() < 3 ? std::vector<Triangle>() : triangulatePolygon(corners).triangles;
+  }
+};
+
+Vec3 middleOf(const TriangleMesh& mesh, Id face)
+{
+  const Triangle& t = mesh.triangle(face);
+  return (1.0 / 3.0) * (mesh.point(t[0]) + mesh.point(t[1]) + mesh.point(t[2]));
+}
+
+/// Whether faces of a source cover faces of a surface.
+struct CoverTest
+{
+  const TriangleMesh& surface;
+  const FaceTriangles& source;
+  const TriangleMesh& sourceMesh;
+  double precision;
+
+  /// Corners, middles of edges, and the middle: a polygon covers a triangle on its own corners if
+  /// it has these.
+  bool isCovered(Id face, std::size_t by) const
+  {
+    const Triangle& t = this->surface.triangle(face);
+    const Vec3& a = this->surface.point(t[0]);
+    const Vec3& b = this->surface.point(t[1]);
+    const Vec3& c = this->surface.point(t[2]);
+    return this->holds(by, a) && this->holds(by, b) && this->holds(by, c) &&
+      this->holds(by, 0.5 * (a + b)) && this->holds(by, 0.5 * (b + c)) &&
+      this->holds(by, 0.5 * (c + a)) && this->holds(by, middleOf(this->surface, face));
+  }
+
+  double area2(std::size_t of) const
+  {
+    double area2 = 0.0;
+    for (std::size_t t = this->source.first[of]; t < this->source.first[of + 1]; ++t)
+    {
+      area2 += this->sourceMesh.shape(static_cast<Id>(t)).area2;
+    }
+    return area2;
+  }
+
+  bool holds(std::size_t by, const Vec3& point) const
+  {
+    for (std::size_t t = this->source.first[by]; t < this->source.first[by + 1]; ++t)
+    {
+      const SnappedPoint there =
+        snapToFace(this->sourceMesh, static_cast<Id>(t), point, this->precision);
+      if (there.distance <= there.tolerance)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+
+} // anonymous namespace
+
+std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
+  const std::vector<vtkIdType>& values, bool areJoined, std::vector<LocatedPolyline>& polylines)
+{
+  RegionsOfFaces regions(faces.size());
+  std::unordered_map<vtkIdType, std::size_t> withValue;
+  for (std::size_t face = 0; face < faces.size(); ++face)
+  {
+    regions.join(withValue.emplace(values[face], face).first->second, face);
+  }
+  const std::vector<FaceEdge> edges = edgesOf(faces);
+  for (std::size_t i = 1; areJoined && i < edges.size(); ++i)
+  {
+    if (edges[i].ends == edges[i - 1].ends)
+    {
+      regions.join(edges[i].face, edges[i - 1].face);
+    }
+  }
+  std::vector<Id> gone;
+  for (std::size_t face = 0; face < faces.size(); ++face)
+  {
+    const Id source = faces[regions.of(face)].source;
+    if (faces[face].source != source)
+    {
+      gone.push_back(faces[face].source);
+      faces[face].source = source;
+    }
+  }
+
+  std::sort(gone.begin(), gone.end());
+
+  std::vector<std::size_t> lines;
+  std::vector<vtkIdType> regionOfLine;
+  std::vector<bool> hasOutline(faces.size(), false);
+  std::unordered_map<std::size_t, std::size_t> uses;
+  for (auto edge = edges.begin(); edge != edges.end();)
+  {
+    const auto next = std::find_if(
+      edge, edges.end(), [&](const FaceEdge& other) { return other.ends != edge->ends; });
+    uses.clear();
+    for (auto use = edge; use != next; ++use)
+    {
+      ++uses[regions.of(use->face)];
+    }
+    for (; edge != next; ++edge)
+    {
+      const std::size_t region = regions.of(edge->face);
+      if (uses[region] == 1)
+      {
+        hasOutline[region] = true;
+        lines.push_back(polylines.size());
+        regionOfLine.push_back(static_cast<vtkIdType>(region));
+        polylines.push_back(lineAlong(faces[edge->face], edge->corner));
+      }
+    }
+  }
+  joinLines(polylines, lines, regionOfLine);
+  for (std::size_t face = 0; face < faces.size(); ++face)
+  {
+    if (regions.of(face) == face && !hasOutline[face])
+    {
+      polylines.push_back(firstPointOf(faces[face]));
+    }
+  }
+  return gone;
+}
+
+std::vector<CoveredFace> findCoveredFaces(const TriangleMesh& surface,
+  const std::vector<LocatedPolyline>& faces, double coordinatePrecision, bool isPart,
+  const Job& job)
+{
+  const FaceTriangles source(faces);
+  if (source.triangles.empty())
+  {
+    return {};
+  }
+  std::vector<Vec3> middles;
+  std::vector<std::uint8_t> isWanted;
+  for (Id face = 0; face < surface.numberOfFaces(); ++face)
+  {
+    middles.push_back(middleOf(surface, face));
+    isWanted.push_back(source.box.distanceTo(middles.back()) <= surface.shape(face).longest());
+  }
+  const TriangleMesh mesh(source.points, source.triangles);
+  const CoverTest test = { surface, source, mesh, coordinatePrecision };
+  const ClosestFaces closest =
+    SurfaceLocator(MeshPartition(mesh)).closest(middles, isWanted, coordinatePrecision, job);
+  std::vector<CoveredFace> inside;
+  std::vector<double> areas(faces.size(), 0.0);
+  for (Id face = 0; face < surface.numberOfFaces(); ++face)
+  {
+    for (const ClosestFace& found : closest[face])
+    {
+      const std::size_t by = source.faces[mesh.inputFace(found.face.id)];
+      const bool isKnown = !inside.empty() && inside.back().face == face &&
+        inside.back().source == static_cast<Id>(by);
+      if (!isKnown && test.isCovered(face, by))
+      {
+        inside.push_back({ face, static_cast<Id>(by) });
+        areas[by] += surface.shape(face).area2;
+      }
+    }
+  }
+  std::vector<CoveredFace> covered;
+  for (const CoveredFace& found : inside)
+  {
+    if (isPart || areas[found.source] >= (1.0 - tolerance::CoveredArea) * test.area2(found.source))
+    {
+      covered.push_back({ found.face, faces[found.source].source });
+    }
+  }
+  return covered;
+}
+
+}
