@@ -275,7 +275,7 @@ TEST(ThinFaces, ListsPassWhenTheFrontIsAsFarAsTheirNearestWindow)
 // third surface they made more windows than a minute is enough for.
 TEST(PassedWindows, OfSliversAroundSharpVerticesFewWindowsGoOn)
 {
-  for (const std::uint64_t seed : { 34, 35, 60 })
+  for (const std::uint64_t seed : { 4, 35, 77 })
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
