@@ -188,13 +188,13 @@ inline void CompareWithTruth(Check& check, vtkGeodesicDistanceField* filter,
 }
 
 /// A patch of faces with holes, or two that touch, on a plane or on a rough sphere.
-inline Region RandomRegion(std::uint64_t seed)
+inline Region RandomRegion(std::uint64_t seed, bool hasQuads = true)
 {
   std::mt19937_64 random(seed + 53);
   const auto below = [&random](std::size_t count) { return random() % count; };
   Region region;
   region.Surface = below(3) == 0
-    ? NoisySquare(8, below(2) == 0 ? Cells::Quads : Cells::Triangles)
+    ? NoisySquare(8, below(2) == 0 && hasQuads ? Cells::Quads : Cells::Triangles)
     : ChangedSphere(12, 9,
         [&](const Point& p)
         {

@@ -31,7 +31,7 @@ class ScheduleAndModel
 {
 public:
   explicit ScheduleAndModel(const std::vector<double>& batchWidths)
-    : mesh_(engineMesh(regularGrid(2, batchWidths.size())))
+    : mesh_(engineMesh(regularGrid(2, static_cast<Index>(batchWidths.size()))))
     , states_(this->mesh_, false, false, geodesic::Job())
     , keys_(batchWidths.size(), Infinity)
   {
