@@ -248,16 +248,16 @@ void TestBranches(Check& check, Ranks ranks)
   }
 }
 
-/// The point as a grid of a vertex: alone it is a set of points. With a triangle, which is no
+/// The point as a grid of a vertex: alone it is a set of points. With a solid, which is no
 /// source, ids are those of cells.
-vtkSmartPointer<vtkUnstructuredGrid> GridOfVertex(const Point& p, bool hasTriangle)
+vtkSmartPointer<vtkUnstructuredGrid> GridOfVertex(const Point& p, bool hasSolid)
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->SetPoints(PointSources({ p, { 0, 0, 0 }, { 1, 0, 0 } })->GetPoints());
-  const vtkIdType ids[] = { 0, 1, 2 };
-  if (hasTriangle)
+  grid->SetPoints(PointSources({ p, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 1 } })->GetPoints());
+  const vtkIdType ids[] = { 0, 1, 2, 3 };
+  if (hasSolid)
   {
-    grid->InsertNextCell(VTK_TRIANGLE, 3, ids);
+    grid->InsertNextCell(VTK_TETRA, 4, ids);
   }
   grid->InsertNextCell(VTK_VERTEX, 1, ids);
   return grid;
@@ -286,7 +286,7 @@ void TestSourcesOnRanks(Check& check, Ranks ranks, vtkPolyData* surface)
     { "all on each rank", PointSources(all) },
     { "all on rank 0", PointSources(ranks.Rank == 0 ? all : std::vector<Point>()) },
     { "grids of vertices", GridOfVertex(own, false), 0, 3 },
-    { "grids with triangles", GridOfVertex(own, true), 1, 2 },
+    { "grids with solids", GridOfVertex(own, true), 1, 2 },
   };
   for (const Source& source : sources)
   {
@@ -299,7 +299,7 @@ void TestSourcesOnRanks(Check& check, Ranks ranks, vtkPolyData* surface)
     check.That(messages.Error().empty(), source.Name + ": " + messages.Error());
     const std::string told = std::to_string(ranks.Count) + " cell";
     check.That(Contains(messages.Warning(), told) == (source.FirstId == 1 && ranks.Rank == 0),
-      source.Name + ": rank 0 tells of all triangles: " + messages.Warning());
+      source.Name + ": rank 0 tells of all solids: " + messages.Warning());
     CompareDistances(check, filter->GetOutput(), whole, source.Name);
     vtkPolyData* curves = filter->GetOutput(1);
     check.Equal(static_cast<double>(curves->GetNumberOfCells()), ranks.Rank == 0 ? ranks.Count : 0,

@@ -77,9 +77,11 @@ class Messages(unittest.TestCase):
             for proxy in all_filters(Input=other, Source=polyline(LINE)):
                 self.assert_one_message(proxy, "Extract Surface", "surface")
         shell = simple.AppendDatasets(Input=plane())  # an unstructured grid of quads
-        for other in (volume, shell):
-            for proxy in all_filters(Input=plane(), Source=other):
-                self.assert_one_message(proxy, "Extract Surface", "source")
+        for proxy in all_filters(Input=plane(), Source=volume):
+            self.assert_one_message(proxy, "Extract Surface", "source")
+        region = simple.GeodesicDistanceField(Input=plane(), Source=shell)
+        self.assertEqual(said_by(region), "")
+        assert_close(distances(region), 0, FLOAT)
         extracted = simple.GeodesicDistanceField(
             Input=simple.ExtractSurface(Input=shell), Source=polyline(LINE))
         assert_close(distances(extracted), np.abs(points(data(extracted))[:, 0] - 2), FLOAT)
