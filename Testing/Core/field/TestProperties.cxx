@@ -560,6 +560,7 @@ TEST(Property, TheCallerCanStopTheSolveAndSeesHowFarItIs)
     [&](double fraction)
     {
       EXPECT_GE(fraction, last);
+      EXPECT_LE(fraction, last + 0.05) << "a vertex counts when the front has reached it";
       EXPECT_LE(fraction, 1.0);
       last = fraction;
       ++calls;
