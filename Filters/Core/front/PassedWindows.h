@@ -66,7 +66,7 @@ private:
   static constexpr std::size_t Most = 8;
 
   /// So many lists went through very often.
-  static constexpr std::uint32_t VeryOften = 32;
+  static constexpr std::uint32_t VeryOften = 8;
 
   struct Passed
   {
