@@ -16,8 +16,8 @@ namespace geodesic
 /// which takes the state as far as it can and answers with the new one. All ranks call this
 /// together, until no rank has an open state.
 ///
-/// \param ask (Questions&): asks with one State for each item that is open. \returns whether there
-///        is one.
+/// \param ask (Questions&) -> bool: asks with one State for each item that is open, and tells
+///        whether there is one.
 /// \param step (const State&): what the asked rank finds. Called on the job's threads.
 /// \param tell (const State&, what was found, Message&): puts the answer.
 /// \param take (item, MessageReader&): reads the answer about one item.

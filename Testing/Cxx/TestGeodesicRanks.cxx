@@ -285,7 +285,7 @@ void TestSourcesOnRanks(Check& check, Ranks ranks, vtkPolyData* surface)
     { "one on each rank", PointSources({ own }) },
     { "all on each rank", PointSources(all) },
     { "all on rank 0", PointSources(ranks.Rank == 0 ? all : std::vector<Point>()) },
-    { "grids of vertices", GridOfVertex(own, false), 0, 3 },
+    { "grids of vertices", GridOfVertex(own, false), 0, 4 },
     { "grids with solids", GridOfVertex(own, true), 1, 2 },
   };
   for (const Source& source : sources)
