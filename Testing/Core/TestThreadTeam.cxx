@@ -17,22 +17,27 @@ using geodesic::ThreadTeam;
 namespace
 {
 
-/// Whether two tasks of one loop ran at the same time: each waits for the other.
+/// Whether two tasks of one loop run at the same time: each waits for the other. Where other
+/// processes want the processors, the team may do some loops with one member.
 bool runsTwoAtATime(ThreadTeam& team)
 {
-  std::atomic<int> arrived{ 0 };
-  std::atomic<bool> haveMet{ true };
-  team.run(2,
-    [&](std::size_t)
-    {
-      ++arrived;
-      const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-      while (arrived < 2 && haveMet)
+  std::atomic<bool> haveMet{ false };
+  const auto giveUp = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (!haveMet && std::chrono::steady_clock::now() < giveUp)
+  {
+    std::atomic<int> arrived{ 0 };
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(100);
+    team.run(2,
+      [&](std::size_t)
       {
-        std::this_thread::yield();
-        haveMet = haveMet && std::chrono::steady_clock::now() < end;
-      }
-    });
+        ++arrived;
+        while (arrived < 2 && std::chrono::steady_clock::now() < end)
+        {
+          std::this_thread::yield();
+        }
+        haveMet = haveMet || std::chrono::steady_clock::now() < end;
+      });
+  }
   return haveMet;
 }
 
