@@ -19,9 +19,7 @@ std::vector<SourceInFace> DistanceField::sourcesIn(Id face) const
 
 bool DistanceField::isCovered(Id face) const
 {
-  const std::vector<SourceInFace> sources = this->sourcesIn(face);
-  return std::any_of(sources.begin(), sources.end(),
-    [](const SourceInFace& source) { return source.isWholeFace; });
+  return isWholeFaceAmong(this->sourcesIn(face));
 }
 
 double DistanceField::distance(const SurfacePoint& point) const

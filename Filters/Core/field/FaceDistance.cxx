@@ -92,7 +92,8 @@ void FaceDistance::enter(Id face)
   this->face_ = face;
   this->frame_ = longestHalfedge(this->mesh_, face);
   this->candidates_.clear();
-  if (this->field_.isCovered(face))
+  const std::vector<SourceInFace> sources = this->field_.sourcesIn(face);
+  if (isWholeFaceAmong(sources))
   {
     // A pencil without a direction: 0 everywhere.
     this->candidates_.push_back({ DistanceCandidate::Kind::Linear, 0.0, {}, {}, {}, 0.0, 0.0 });
@@ -109,7 +110,7 @@ void FaceDistance::enter(Id face)
     this->candidates_.push_back(DistanceCandidate::cone(this->inPlane(cornerWeights(k)),
       this->field_.vertexDistances()[this->mesh_.triangle(face)[k]]));
   }
-  for (const SourceInFace& source : this->field_.sourcesIn(face))
+  for (const SourceInFace& source : sources)
   {
     const Vec2 a = this->inPlane(source.a);
     this->candidates_.push_back(source.a == source.b

@@ -32,9 +32,13 @@ void cutByPassed(FrontContext& front, FrontWorker& worker, HalfedgeList& list)
   { return front.districtOf(front.mesh.opposite(halfedge)).passed; };
   const auto cut = [&](const WindowRange& bounds)
   { PassedWindows::cut(list, length, bounds, worker.merged, worker.pool); };
-  cut(passedOn(list.halfedge).at(list.halfedge));
   Id halfedge = list.halfedge;
-  while (list.windows.size > 0 && passedOn(halfedge).findBounds(halfedge, length, worker.bounds))
+  if (!passedOn(halfedge).findBounds(halfedge, length, worker.bounds))
+  {
+    cut(passedOn(halfedge).at(halfedge));
+    return;
+  }
+  do
   {
     Window* const begin = worker.bounds.data();
     Window* const end = begin + worker.bounds.size();
@@ -44,11 +48,8 @@ void cutByPassed(FrontContext& front, FrontWorker& worker, HalfedgeList& list)
     }
     cut({ begin, end });
     halfedge = front.mesh.nextSibling(halfedge);
-    if (halfedge == list.halfedge)
-    {
-      break;
-    }
-  }
+  } while (halfedge != list.halfedge && list.windows.size > 0 &&
+    passedOn(halfedge).findBounds(halfedge, length, worker.bounds));
 }
 
 // A list waits for the vertex opposite, so that it is complete when it goes through its face. In a

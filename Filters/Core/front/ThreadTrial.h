@@ -73,13 +73,13 @@ private:
       this->nextTrial_ = now;
       this->beginStretch(now);
     }
+    if (now < this->begin_)
+    {
+      return;
+    }
     this->work_ += work;
     const std::chrono::duration<double> time = now - this->begin_;
-    if (time < std::chrono::duration<double>::zero())
-    {
-      this->work_ = 0.0;
-    }
-    else if (time >= Stretch)
+    if (time >= Stretch)
     {
       this->endStretch(this->work_ / time.count(), now);
     }

@@ -20,9 +20,16 @@ std::vector<SourceCurve> curvesWhereRegionsBranch(
     }
   }
   std::vector<SourceCurve> result;
-  for (Id halfedge = 0; mesh.numberOfNonManifoldEdges() > 0 && halfedge < mesh.numberOfHalfedges();
-       ++halfedge)
+  if (sourcesOfFaces.empty() || mesh.numberOfNonManifoldEdges() == 0)
   {
+    return result;
+  }
+  for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+  {
+    if (mesh.edgeOf(halfedge) != halfedge)
+    {
+      continue;
+    }
     std::unordered_map<Id, std::size_t> uses;
     Id outside = NoId;
     Id s = halfedge;
@@ -35,7 +42,7 @@ std::vector<SourceCurve> curvesWhereRegionsBranch(
         ++uses[source];
       }
       s = mesh.nextSibling(s);
-    } while (s != halfedge && mesh.edgeOf(halfedge) == halfedge);
+    } while (s != halfedge);
     const auto branching =
       std::find_if(uses.begin(), uses.end(), [](const auto& use) { return use.second > 1; });
     if (outside != NoId && branching != uses.end())

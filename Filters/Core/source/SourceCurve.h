@@ -4,6 +4,7 @@
 
 #include "mesh/SurfacePoint.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -87,6 +88,13 @@ struct SourceInFace
 
   bool operator<(const SourceInFace& other) const { return this->face < other.face; }
 };
+
+/// Whether one of the sources in a face is the whole face.
+inline bool isWholeFaceAmong(const std::vector<SourceInFace>& sources)
+{
+  return std::any_of(
+    sources.begin(), sources.end(), [](const SourceInFace& source) { return source.isWholeFace; });
+}
 
 /// Whether a segment from a to b of a face runs along its halfedge k.
 inline bool runsAlong(std::size_t k, const Barycentric& a, const Barycentric& b)
