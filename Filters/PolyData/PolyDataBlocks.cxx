@@ -23,7 +23,6 @@
 #include "vtkVariant.h"
 
 #include <algorithm>
-#include <array>
 #include <cfloat>
 #include <cmath>
 #include <utility>
@@ -178,58 +177,66 @@ bool isFace(int type)
   return type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_PIXEL || type == VTK_POLYGON;
 }
 
+/// Cells of one kind, and their numbers in the grid.
+struct CellsOfKind
+{
+  vtkNew<vtkCellArray> cells;
+  std::vector<vtkIdType> numbers;
+
+  void add(vtkIdType number, vtkIdType size, const vtkIdType* ids)
+  {
+    this->cells->InsertNextCell(size, ids);
+    this->numbers.push_back(number);
+  }
+};
+
 /// Other cells become lines without points, so that these keep their numbers.
 void addVerticesLinesAndFaces(vtkUnstructuredGrid* grid, PolyDataBlock& block)
 {
   requireTypes(grid, block.name);
-  vtkNew<vtkCellArray> vertices;
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkCellArray> faces;
-  vtkNew<vtkCellArray> strips;
-  std::array<std::vector<vtkIdType>, 4> numbers;
+  CellsOfKind vertices;
+  CellsOfKind lines;
+  CellsOfKind faces;
+  CellsOfKind strips;
   vtkIdType next = 0;
-  const auto add = [&](vtkCellArray* cells, std::size_t kind, vtkIdType size, const vtkIdType* ids)
-  {
-    cells->InsertNextCell(size, ids);
-    numbers[kind].push_back(next);
-  };
   forEachCell(grid->GetCells(),
     [&](vtkIdType size, const vtkIdType* ids)
     {
-      const int type = grid->GetCellType(next);
+      const vtkIdType number = next++;
+      const int type = grid->GetCellType(number);
       if (type == VTK_VERTEX || type == VTK_POLY_VERTEX)
       {
-        add(vertices, 0, size, ids);
+        vertices.add(number, size, ids);
       }
       else if (type == VTK_PIXEL && size == 4)
       {
         const vtkIdType around[] = { ids[0], ids[1], ids[3], ids[2] };
-        add(faces, 2, size, around);
+        faces.add(number, size, around);
       }
       else if (isFace(type))
       {
-        add(faces, 2, size, ids);
+        faces.add(number, size, ids);
       }
       else if (type == VTK_TRIANGLE_STRIP)
       {
-        add(strips, 3, size, ids);
+        strips.add(number, size, ids);
       }
       else
       {
         const bool isLine = type == VTK_LINE || type == VTK_POLY_LINE;
-        add(lines, 1, isLine ? size : 0, ids);
+        lines.add(number, isLine ? size : 0, ids);
         block.droppedCells += isLine || type == VTK_EMPTY_CELL ? 0 : 1;
       }
-      ++next;
     });
-  for (const std::vector<vtkIdType>& ofKind : numbers)
+  // in the order of a vtkPolyData's cells
+  for (const CellsOfKind* kind : { &vertices, &lines, &faces, &strips })
   {
-    block.inputCells.insert(block.inputCells.end(), ofKind.begin(), ofKind.end());
+    block.inputCells.insert(block.inputCells.end(), kind->numbers.begin(), kind->numbers.end());
   }
-  block.data->SetVerts(vertices);
-  block.data->SetLines(lines);
-  block.data->SetPolys(faces);
-  block.data->SetStrips(strips);
+  block.data->SetVerts(vertices.cells);
+  block.data->SetLines(lines.cells);
+  block.data->SetPolys(faces.cells);
+  block.data->SetStrips(strips.cells);
 }
 
 PolyDataBlock sourceBlock(vtkDataObject* data, const PartName& name)

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
 #include <tuple>
 #include <unordered_map>
@@ -114,6 +115,41 @@ LocatedPolyline firstPointOf(const LocatedPolyline& face)
   point.vertices.pop_back();
   point.pointNames.pop_back();
   return point;
+}
+
+/// Gives each face the source of its region. \returns the sources that are gone, ascending.
+std::vector<Id> takeSourcesOfRegions(RegionsOfFaces& regions, std::vector<LocatedPolyline>& faces)
+{
+  std::vector<Id> gone;
+  for (std::size_t face = 0; face < faces.size(); ++face)
+  {
+    const Id source = faces[regions.of(face)].source;
+    if (faces[face].source != source)
+    {
+      gone.push_back(faces[face].source);
+      faces[face].source = source;
+    }
+  }
+  std::sort(gone.begin(), gone.end());
+  return gone;
+}
+
+/// The edges that only one face of a region uses.
+std::vector<FaceEdge> outlinesOf(RegionsOfFaces& regions, const std::vector<FaceEdge>& edges)
+{
+  std::vector<FaceEdge> outlines;
+  std::unordered_map<std::size_t, std::size_t> uses;
+  for (auto edge = edges.begin(); edge != edges.end();)
+  {
+    const auto next = std::find_if(
+      edge, edges.end(), [&](const FaceEdge& other) { return other.ends != edge->ends; });
+    uses.clear();
+    std::for_each(edge, next, [&](const FaceEdge& use) { ++uses[regions.of(use.face)]; });
+    std::copy_if(edge, next, std::back_inserter(outlines),
+      [&](const FaceEdge& use) { return uses[regions.of(use.face)] == 1; });
+    edge = next;
+  }
+  return outlines;
 }
 
 /// The faces of a source as a mesh of triangles of their own.
@@ -221,43 +257,17 @@ std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
       regions.join(edges[i].face, edges[i - 1].face);
     }
   }
-  std::vector<Id> gone;
-  for (std::size_t face = 0; face < faces.size(); ++face)
-  {
-    const Id source = faces[regions.of(face)].source;
-    if (faces[face].source != source)
-    {
-      gone.push_back(faces[face].source);
-      faces[face].source = source;
-    }
-  }
-
-  std::sort(gone.begin(), gone.end());
-
+  std::vector<Id> gone = takeSourcesOfRegions(regions, faces);
   std::vector<std::size_t> lines;
   std::vector<vtkIdType> regionOfLine;
   std::vector<bool> hasOutline(faces.size(), false);
-  std::unordered_map<std::size_t, std::size_t> uses;
-  for (auto edge = edges.begin(); edge != edges.end();)
+  for (const FaceEdge& edge : outlinesOf(regions, edges))
   {
-    const auto next = std::find_if(
-      edge, edges.end(), [&](const FaceEdge& other) { return other.ends != edge->ends; });
-    uses.clear();
-    for (auto use = edge; use != next; ++use)
-    {
-      ++uses[regions.of(use->face)];
-    }
-    for (; edge != next; ++edge)
-    {
-      const std::size_t region = regions.of(edge->face);
-      if (uses[region] == 1)
-      {
-        hasOutline[region] = true;
-        lines.push_back(polylines.size());
-        regionOfLine.push_back(static_cast<vtkIdType>(region));
-        polylines.push_back(lineAlong(faces[edge->face], edge->corner));
-      }
-    }
+    const std::size_t region = regions.of(edge.face);
+    hasOutline[region] = true;
+    lines.push_back(polylines.size());
+    regionOfLine.push_back(static_cast<vtkIdType>(region));
+    polylines.push_back(lineAlong(faces[edge.face], edge.corner));
   }
   joinLines(polylines, lines, regionOfLine);
   for (std::size_t face = 0; face < faces.size(); ++face)
