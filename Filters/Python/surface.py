@@ -91,8 +91,8 @@ class Surface:
               custom_unreached_value=-1, remove_unused_points=False, distance_array_name="GeodesicDistance",
               generate_source_ids=False, generate_closest_points=False, generate_gradients=False,
               generate_signed_distance=False, generate_source_arc_length=False, generate_source_angle=False,
-              generate_texture_coordinates=False, texture_scale=0, texture_repeats=True, output_points_precision=2, boundary=False,
-              join_lines=True, source_ids=None):
+              generate_texture_coordinates=False, texture_scale=0, texture_repeats=True, output_points_precision=2,
+              boundary=False, join_lines=True, source_ids=None):
         """The distances and what else is asked for, as a dictionary of arrays.
 
         "points" and "faces" are the surface, and the arrays at its points have the names that they have in VTK:
