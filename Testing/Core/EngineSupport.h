@@ -197,16 +197,6 @@ private:
   std::uint64_t salt_;
 };
 
-/// Calls test(Random&) for each seed of a test.
-template <typename Test>
-void forEachSeed(std::uint64_t count, std::uint64_t salt, const Test& test)
-{
-  for (Random& random : EachSeed(count, salt))
-  {
-    test(random);
-  }
-}
-
 /// A field with all windows, and the feet of its paths.
 struct FieldWithFeet
 {

@@ -22,18 +22,17 @@ class Analytic : public ::testing::TestWithParam<AnalyticConfiguration>
 TEST_P(Analytic, DistancesAreThoseInClosedForm)
 {
   double worst = 0.0;
-  forEachSeed(60, 0,
-    [&](Random& random)
-    {
-      const AnalyticCase c = GetParam().make(random);
-      const EngineResult result = engineDistances(c.mesh, c.sources, c.queries);
-      const double largest = largestFinite(c.vertexTruth);
-      const double atVertices = worstError(result.vertices, c.vertexTruth, largest);
-      const double atQueries = worstError(result.queries, c.queryTruth, largest);
-      EXPECT_LE(atVertices, OrdinaryAccuracy) << "vertices";
-      EXPECT_LE(atQueries, OrdinaryAccuracy) << "surface points";
-      worst = std::max({ worst, atVertices, atQueries });
-    });
+  for (Random& random : EachSeed(60))
+  {
+    const AnalyticCase c = GetParam().make(random);
+    const EngineResult result = engineDistances(c.mesh, c.sources, c.queries);
+    const double largest = largestFinite(c.vertexTruth);
+    const double atVertices = worstError(result.vertices, c.vertexTruth, largest);
+    const double atQueries = worstError(result.queries, c.queryTruth, largest);
+    EXPECT_LE(atVertices, OrdinaryAccuracy) << "vertices";
+    EXPECT_LE(atQueries, OrdinaryAccuracy) << "surface points";
+    worst = std::max({ worst, atVertices, atQueries });
+  }
   ::testing::Test::RecordProperty("worst_relative_error", std::to_string(worst));
 }
 

@@ -201,13 +201,7 @@ TEST(Property, DistanceIsSymmetricOnANearlyFlatSurface)
   constexpr double noise = 3e-5;
   Random random(115);
   PlainMesh mesh = openCylinder(90, 90, 6.0);
-  for (Vec3& point : mesh.points)
-  {
-    for (double& coordinate : point)
-    {
-      coordinate += noise * random.uniform(-1.0, 1.0);
-    }
-  }
+  addNoise(mesh, noise, random);
   std::vector<Index> ends = { 562, 3811, 5127 };
   for (int i = 0; i < 9; ++i)
   {

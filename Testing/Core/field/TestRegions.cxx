@@ -204,13 +204,12 @@ const MeshKind& kindOf(Random& random)
 template <typename Test>
 void forEachCase(std::uint64_t salt, const Test& test)
 {
-  forEachSeed(meshesOfAKind(60), salt,
-    [&](Random& random)
-    {
-      const MeshKind& kind = kindOf(random);
-      SCOPED_TRACE(kind.name);
-      test(RegionCase(kind, random), kind);
-    });
+  for (Random& random : EachSeed(meshesOfAKind(60), salt))
+  {
+    const MeshKind& kind = kindOf(random);
+    SCOPED_TRACE(kind.name);
+    test(RegionCase(kind, random), kind);
+  }
 }
 
 geodesic::DistanceField solveWithArrivals(const RegionCase& c)

@@ -283,13 +283,7 @@ TEST(PassedWindows, OfSliversAroundSharpVerticesFewWindowsGoOn)
       meshKinds()[random.below(meshKinds().size())].make(random.between(4, 80), random);
     mesh = withCaps(mesh, Caps::AnyAndLoose, random.uniform(0.02, 0.5), random).mesh;
     const double noise = std::pow(10.0, random.uniform(-11.0, -3.0));
-    for (Vec3& p : mesh.points)
-    {
-      for (double& x : p)
-      {
-        x += noise * random.uniform(-1.0, 1.0);
-      }
-    }
+    addNoise(mesh, noise, random);
     const TriangleMesh engine = cleanedEngineMesh(mesh);
     const auto curves = engineCurves(engine, Sources{ { vertexPoint(mesh, 0) }, {} });
     const DistanceField field = geodesic::solve(engine, curves, {});

@@ -89,8 +89,10 @@ protected:
     for (const double variant : GetParam().variants)
     {
       SCOPED_TRACE(variant);
-      forEachSeed(GetParam().seeds, 0,
-        [&](Random& random) { test(GetParam().make(random, variant), random); });
+      for (Random& random : EachSeed(GetParam().seeds))
+      {
+        test(GetParam().make(random, variant), random);
+      }
     }
   }
 };

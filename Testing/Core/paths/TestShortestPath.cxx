@@ -171,85 +171,82 @@ TEST_P(ShortestPaths, ThatAreTracedEndOnTheCurveTheyName)
 
 TEST_P(ShortestPaths, InWindowsEndOnTheSource)
 {
-  forEachSeed(GetParam().seeds(12), 52000,
-    [&](Random& random)
-    {
-      const Scene scene = GetParam().make(random, false);
-      this->check(scene,
-        [&](const TriangleMesh& engine, const std::vector<geodesic::SourceCurve>& curves)
+  for (Random& random : EachSeed(GetParam().seeds(12), 52000))
+  {
+    const Scene scene = GetParam().make(random, false);
+    this->check(scene,
+      [&](const TriangleMesh& engine, const std::vector<geodesic::SourceCurve>& curves)
+      {
+        const DistanceField field = solveKeepingAll(engine, curves);
+        std::vector<FoundPath> paths;
+        for (const SurfacePoint& target : targetsOf(scene, engine))
         {
-          const DistanceField field = solveKeepingAll(engine, curves);
-          std::vector<FoundPath> paths;
-          for (const SurfacePoint& target : targetsOf(scene, engine))
-          {
-            paths.emplace_back().points = pathInWindows(field, target);
-          }
-          return paths;
-        });
-    });
+          paths.emplace_back().points = pathInWindows(field, target);
+        }
+        return paths;
+      });
+  }
 }
 
 // Searches all paths as those that tracing has lost.
 TEST_P(ShortestPaths, InStripsEndOnTheCurveTheyName)
 {
-  forEachSeed(meshesOfAKind(10), 78000,
-    [&](Random& random)
-    {
-      Scene scene = GetParam().make(random, false);
-      scene.queries.resize(std::min<std::size_t>(scene.queries.size(), 20));
-      this->check(scene,
-        [&](const TriangleMesh& engine, const std::vector<geodesic::SourceCurve>& curves)
+  for (Random& random : EachSeed(meshesOfAKind(10), 78000))
+  {
+    Scene scene = GetParam().make(random, false);
+    scene.queries.resize(std::min<std::size_t>(scene.queries.size(), 20));
+    this->check(scene,
+      [&](const TriangleMesh& engine, const std::vector<geodesic::SourceCurve>& curves)
+      {
+        const DistanceField field = geodesic::solve(engine, curves);
+        const std::vector<double> toSource =
+          geodesic::lowerBoundsOf(field.vertexDistances(), geodesic::Infinity);
+        std::vector<FoundPath> paths(scene.queries.size());
+        for (std::size_t i = 0; i < paths.size(); ++i)
         {
-          const DistanceField field = geodesic::solve(engine, curves);
-          const std::vector<double> toSource =
-            geodesic::lowerBoundsOf(field.vertexDistances(), geodesic::Infinity);
-          std::vector<FoundPath> paths(scene.queries.size());
-          for (std::size_t i = 0; i < paths.size(); ++i)
+          const SurfacePoint target = enginePoint(engine, scene.queries[i]);
+          const geodesic::Id face = geodesic::someFace(engine, target);
+          if (scene.truth[i] < geodesic::Infinity)
           {
-            const SurfacePoint target = enginePoint(engine, scene.queries[i]);
-            const geodesic::Id face = geodesic::someFace(engine, target);
-            if (scene.truth[i] < geodesic::Infinity)
-            {
-              const auto found =
-                geodesic::pathInStrip(field.surface(), geodesic::ReplicatedPatch(engine), curves,
-                  { { 0, face }, geodesic::toFacePoint(engine, face, target), scene.truth[i] },
-                  toSource, {});
-              EXPECT_TRUE(found && !found->points.empty());
-              paths[i].take(*found);
-            }
+            const auto found =
+              geodesic::pathInStrip(field.surface(), geodesic::ReplicatedPatch(engine), curves,
+                { { 0, face }, geodesic::toFacePoint(engine, face, target), scene.truth[i] },
+                toSource, {});
+            EXPECT_TRUE(found && !found->points.empty());
+            paths[i].take(*found);
           }
-          return paths;
-        });
-    });
+        }
+        return paths;
+      });
+  }
 }
 
 TEST_P(ShortestPaths, BetweenTwoPointsBeginAndEndThere)
 {
-  forEachSeed(GetParam().seeds(12), 52000,
-    [&](Random& random)
+  for (Random& random : EachSeed(GetParam().seeds(12), 52000))
+  {
+    const Scene scene = GetParam().make(random, true);
+    if (scene.lines.size() != 1 || !scene.lines[0].isPoint())
     {
-      const Scene scene = GetParam().make(random, true);
-      if (scene.lines.size() != 1 || !scene.lines[0].isPoint())
+      continue; // a closed form for other sources
+    }
+    this->check(scene,
+      [&](const TriangleMesh& engine, const std::vector<geodesic::SourceCurve>& curves)
       {
-        return; // a closed form for other sources
-      }
-      this->check(scene,
-        [&](const TriangleMesh& engine, const std::vector<geodesic::SourceCurve>& curves)
+        const SurfacePoint source = curves[0].points[0];
+        const geodesic::JoinPoints join = geodesic::joinByShortestPaths(engine);
+        std::vector<FoundPath> paths;
+        for (const SurfacePoint& target : targetsOf(scene, engine))
         {
-          const SurfacePoint source = curves[0].points[0];
-          const geodesic::JoinPoints join = geodesic::joinByShortestPaths(engine);
-          std::vector<FoundPath> paths;
-          for (const SurfacePoint& target : targetsOf(scene, engine))
-          {
-            paths.emplace_back().points = join(target, source, {});
-            const std::vector<SurfacePoint>& points = paths.back().points;
-            EXPECT_TRUE(points.empty() ||
-              (points.size() >= 2 && samePlace(engine, points.front(), target) &&
-                samePlace(engine, points.back(), source)));
-          }
-          return paths;
-        });
-    });
+          paths.emplace_back().points = join(target, source, {});
+          const std::vector<SurfacePoint>& points = paths.back().points;
+          EXPECT_TRUE(points.empty() ||
+            (points.size() >= 2 && samePlace(engine, points.front(), target) &&
+              samePlace(engine, points.back(), source)));
+        }
+        return paths;
+      });
+  }
   EXPECT_GE(this->paths_, 3U);
 }
 

@@ -303,13 +303,7 @@ TEST(RefinementOfAnySurface, EndsSoon)
       plain = withCaps(plain, Caps::Any, random.uniform(0.02, 0.5), random).mesh;
     }
     const double noise = std::pow(10.0, random.uniform(-17.0, -1.0));
-    for (Vec3& p : plain.points)
-    {
-      for (double& x : p)
-      {
-        x += noise * random.uniform(-1.0, 1.0);
-      }
-    }
+    addNoise(plain, noise, random);
     const TriangleMesh mesh = cleanedEngineMesh(plain);
     const auto curves = random.chance(0.5)
       ? engineCurves(mesh, Sources{ { vertexPoint(plain, 0) }, {} })

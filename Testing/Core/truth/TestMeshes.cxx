@@ -387,6 +387,17 @@ MeshPoint vertexPoint(const PlainMesh& mesh, Index vertex)
 }
 
 //----------------------------------------------------------------------------
+void addNoise(PlainMesh& mesh, double noise, Random& random)
+{
+  for (Vec3& point : mesh.points)
+  {
+    for (double& coordinate : point)
+    {
+      coordinate += noise * random.uniform(-1.0, 1.0);
+    }
+  }
+}
+
 PlainMesh regularGrid(Index nx, Index ny)
 {
   PlainMesh mesh;

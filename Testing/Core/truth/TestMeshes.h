@@ -83,6 +83,8 @@ MeshPoint vertexPoint(const PlainMesh& mesh, Index vertex);
 /// \name Surfaces
 /// Grids have cells of unit size unless told otherwise; random ones depend on their Random alone.
 ///@{
+/// Moves all points at random, by up to the noise along each axis.
+void addNoise(PlainMesh& mesh, double noise, Random& random);
 /// A flat grid of nx x ny squares, each cut along the same diagonal: distances tie exactly.
 PlainMesh regularGrid(Index nx, Index ny);
 /// A random triangulation of the rectangle [0, nx] x [0, ny]: jittered vertices, random diagonals,
