@@ -4,7 +4,7 @@
 #include "PolyData/Hash.h"
 #include "PolyData/ranks/RankSeams.h"
 #include "PolyData/reading/Cracks.h"
-#include "PolyData/reading/SeamMerger.h"
+#include "PolyData/reading/Seams.h"
 #include "PolyData/reading/SurfaceParts.h"
 #include "PolyData/reading/SurfaceReaderOnRanks.h"
 #include "PolyData/reading/TriangleReader.h"
