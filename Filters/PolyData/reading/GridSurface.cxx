@@ -73,22 +73,58 @@ CellKind kindOf(int type)
   return cell ? ofDimension[cell->GetCellDimension()] : CellKind::Foreign;
 }
 
-/// Makes the vtkPolyData of a grid.
+/// Cells of one kind, and their numbers in the grid.
+struct CellsOfKind
+{
+  vtkNew<vtkCellArray> cells;
+  std::vector<vtkIdType> numbers;
+
+  void add(vtkIdType number, vtkIdType size, const vtkIdType* ids)
+  {
+    this->cells->InsertNextCell(size, ids);
+    this->numbers.push_back(number);
+  }
+};
+
+/// Gives a vtkPolyData the cells of a grid.
 class GridReader
 {
 public:
-  GridReader(vtkUnstructuredGrid* grid, const PartName& name)
+  GridReader(vtkUnstructuredGrid* grid, PolyDataBlock block)
     : grid_(grid)
-    , block_{ vtkSmartPointer<vtkPolyData>::New(), name, {} }
+    , block_(std::move(block))
   {
-    vtkPolyData* data = this->block_.data;
-    data->SetPoints(grid->GetPoints());
-    data->GetPointData()->ShallowCopy(grid->GetPointData());
-    data->GetCellData()->ShallowCopy(grid->GetCellData());
-    data->GetFieldData()->ShallowCopy(grid->GetFieldData());
   }
 
-  PolyDataBlock read()
+  PolyDataBlock readSource()
+  {
+    vtkIdType next = 0;
+    forEachCell(this->grid_->GetCells(),
+      [&](vtkIdType size, const vtkIdType* ids)
+      {
+        const vtkIdType cell = next++;
+        const int type = this->typeOf(cell);
+        const CellKind kind = this->kindOfCell(cell);
+        const bool isLine = type == VTK_LINE || type == VTK_POLY_LINE;
+        if (kind == CellKind::Polygon || kind == CellKind::Pixel)
+        {
+          this->addFace(kind, cell, size, ids);
+        }
+        else if (kind == CellKind::Vertex || kind == CellKind::Strip)
+        {
+          (kind == CellKind::Vertex ? this->vertices_ : this->strips_).add(cell, size, ids);
+        }
+        else
+        {
+          this->lines_.add(cell, isLine ? size : 0, ids);
+          this->block_.droppedCells += isLine || kind == CellKind::Empty ? 0 : 1;
+        }
+      });
+    this->giveCells();
+    return std::move(this->block_);
+  }
+
+  PolyDataBlock readSurface()
   {
     if (this->grid_->GetNumberOfCells() > 0)
     {
@@ -162,10 +198,6 @@ private:
   void readCells(const Found& found)
   {
     this->allocate(found);
-    vtkNew<vtkCellArray> vertices;
-    vtkNew<vtkCellArray> lines;
-    std::vector<vtkIdType> cellsOfVertices;
-    std::vector<vtkIdType> cellsOfLines;
     vtkIdType next = 0;
     forEachCell(this->grid_->GetCells(),
       [&](vtkIdType size, const vtkIdType* ids)
@@ -174,26 +206,30 @@ private:
         const CellKind kind = this->kindOfCell(cell);
         if (kind == CellKind::Vertex || kind == CellKind::Line)
         {
-          const bool isLine = kind == CellKind::Line;
-          (isLine ? lines : vertices)->InsertNextCell(0, ids);
-          (isLine ? cellsOfLines : cellsOfVertices).push_back(cell);
+          (kind == CellKind::Line ? this->lines_ : this->vertices_).add(cell, 0, ids);
         }
         else if (kind != CellKind::Empty)
         {
           this->addFace(kind, cell, size, ids);
         }
       });
-    // The order in which vtkPolyData numbers its cells.
-    std::vector<vtkIdType>& inputCells = this->block_.inputCells;
-    inputCells = std::move(cellsOfVertices);
-    for (const std::vector<vtkIdType>& more : { cellsOfLines, this->cellsOfPolygons_ })
-    {
-      inputCells.insert(inputCells.end(), more.begin(), more.end());
-    }
     this->block_.numberOfInputCells = next;
-    this->block_.data->SetVerts(vertices);
-    this->block_.data->SetLines(lines);
-    this->block_.data->SetPolys(this->polygons_);
+    this->giveCells();
+  }
+
+  /// In the order in which vtkPolyData numbers its cells.
+  void giveCells()
+  {
+    std::vector<vtkIdType>& numbers = this->block_.inputCells;
+    for (const CellsOfKind* kind :
+      { &this->vertices_, &this->lines_, &this->polygons_, &this->strips_ })
+    {
+      numbers.insert(numbers.end(), kind->numbers.begin(), kind->numbers.end());
+    }
+    this->block_.data->SetVerts(this->vertices_.cells);
+    this->block_.data->SetLines(this->lines_.cells);
+    this->block_.data->SetPolys(this->polygons_.cells);
+    this->block_.data->SetStrips(this->strips_.cells);
   }
 
   /// A cell that is split has at most two triangles for each of its points: a Lagrange
@@ -205,14 +241,8 @@ private:
     const vtkIdType most = found.isAnySplit ? cells + 2 * ids : cells;
     const vtkIdType mostIds = found.isAnySplit ? 6 * ids : ids;
     requireMemory(3 * most + mostIds, sizeof(vtkIdType));
-    this->polygons_->AllocateExact(most, mostIds);
-    this->cellsOfPolygons_.reserve(static_cast<std::size_t>(most));
-  }
-
-  void addPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* ids)
-  {
-    this->polygons_->InsertNextCell(size, ids);
-    this->cellsOfPolygons_.push_back(cell);
+    this->polygons_.cells->AllocateExact(most, mostIds);
+    this->polygons_.numbers.reserve(static_cast<std::size_t>(most));
   }
 
   void addFace(CellKind kind, vtkIdType cell, vtkIdType size, const vtkIdType* ids)
@@ -234,7 +264,7 @@ private:
         this->addTriangles(cell);
         break;
       default:
-        this->addPolygon(cell, size, ids);
+        this->polygons_.add(cell, size, ids);
         break;
     }
   }
@@ -263,7 +293,7 @@ private:
     {
       this->corners_->SetId(i, idAt(i));
     }
-    this->addPolygon(cell, size, this->corners_->GetPointer(0));
+    this->polygons_.add(cell, size, this->corners_->GetPointer(0));
   }
 
   /// Adds those whose corners are given. A cell without triangles is no face, but counted among
@@ -273,11 +303,11 @@ private:
     const vtkIdType count = this->corners_->GetNumberOfIds();
     for (vtkIdType i = 0; i + 2 < count; i += 3)
     {
-      this->addPolygon(cell, 3, this->corners_->GetPointer(i));
+      this->polygons_.add(cell, 3, this->corners_->GetPointer(i));
     }
     if (count < 3)
     {
-      this->addPolygon(cell, 0, nullptr);
+      this->polygons_.add(cell, 0, nullptr);
     }
   }
 
@@ -332,8 +362,10 @@ private:
   /// The kind, and the least number of points, of each cell type.
   std::array<CellKind, 256> kinds_{};
   std::array<vtkIdType, 256> leastSizes_{};
-  vtkNew<vtkCellArray> polygons_;
-  std::vector<vtkIdType> cellsOfPolygons_;
+  CellsOfKind vertices_;
+  CellsOfKind lines_;
+  CellsOfKind polygons_;
+  CellsOfKind strips_;
   /// For the current cell, if it is not taken as it is.
   vtkNew<vtkIdList> corners_;
   vtkNew<vtkPoints> places_;
@@ -344,7 +376,17 @@ private:
 
 PolyDataBlock surfaceOfGrid(vtkUnstructuredGrid* grid, const PartName& name)
 {
-  return GridReader(grid, name).read();
+  PolyDataBlock block{ vtkSmartPointer<vtkPolyData>::New(), name, {} };
+  block.data->SetPoints(grid->GetPoints());
+  block.data->GetPointData()->ShallowCopy(grid->GetPointData());
+  block.data->GetCellData()->ShallowCopy(grid->GetCellData());
+  block.data->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  return GridReader(grid, std::move(block)).readSurface();
+}
+
+PolyDataBlock sourceOfGrid(vtkUnstructuredGrid* grid, PolyDataBlock points)
+{
+  return GridReader(grid, std::move(points)).readSource();
 }
 
 }
