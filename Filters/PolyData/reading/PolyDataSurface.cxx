@@ -53,6 +53,12 @@ MeshPartition PolyDataSurface::partitionWithBarriers(
   return { std::move(points), std::move(faces), keys, this->exchange(), job };
 }
 
+const TriangleMesh& PolyDataSurface::noMesh()
+{
+  static const TriangleMesh none;
+  return none;
+}
+
 void PolyDataSurface::useCellsOf(const std::vector<PolyDataBlock>& inputs)
 {
   for (std::size_t i = 0; i < this->blocks.size(); ++i)

@@ -178,7 +178,7 @@ struct SurfaceReport
 struct PolyDataSurface
 {
   /// The mesh of the faces that paths may enter, the open triangles of all blocks, with the halo.
-  MeshPartition partition;
+  MeshPartition partition{ noMesh() };
   /// Values for the vertices of this rank's points that no face of the mesh here has.
   BorrowedValues valuesElsewhere;
   /// The mesh of the barriers of all blocks; null if no rank has barriers.
@@ -210,11 +210,6 @@ struct PolyDataSurface
   /// The diagonal of the box.
   double diagonal = 0.0;
   SurfaceReport report;
-
-  explicit PolyDataSurface(MeshPartition part)
-    : partition(std::move(part))
-  {
-  }
 
   const TriangleMesh& mesh() const { return this->partition.mesh(); }
   Exchange& exchange() const { return this->partition.exchange(); }
@@ -284,6 +279,9 @@ struct PolyDataSurface
   {
     return geodesic::blockOf(this->blocks, item, first);
   }
+
+private:
+  static const TriangleMesh& noMesh();
 };
 
 /// Numbers the vertices that triangles use, in their order, and changes the corners to these
