@@ -290,9 +290,14 @@ PartArray barrierArray(const char* name)
   return { name, "BarrierArrayName", false, "barriers", "" };
 }
 
+/// \returns null if no array is chosen, or there is nothing that it could name.
 /// \throws InputError if there is no such array, or it has several components or too few values.
 vtkAbstractArray* requireArray(vtkDataSet* data, const PolyDataBlock& block, const PartArray& array)
 {
+  if (!isChosen(array.name) || data->GetNumberOfPoints() + data->GetNumberOfCells() == 0)
+  {
+    return nullptr;
+  }
   vtkAbstractArray* values = array.find(data, array.areOfPoints);
   if (!values)
   {
@@ -325,11 +330,6 @@ vtkDataArray* integersOf(vtkAbstractArray* any)
   return type == VTK_FLOAT || type == VTK_DOUBLE ? nullptr : values;
 }
 
-bool isEmpty(vtkDataSet* data)
-{
-  return data->GetNumberOfPoints() + data->GetNumberOfCells() == 0;
-}
-
 /// The names in an array of strings or integers; none if it is not chosen.
 ///
 /// \throws InputError
@@ -337,11 +337,11 @@ std::vector<std::string> readNames(
   vtkDataSet* data, const PolyDataBlock& block, const PartArray& array)
 {
   std::vector<std::string> names;
-  if (!isChosen(array.name) || isEmpty(data))
+  vtkAbstractArray* any = requireArray(data, block, array);
+  if (!any)
   {
     return names;
   }
-  vtkAbstractArray* any = requireArray(data, block, array);
   vtkDataArray* numbers = integersOf(any);
   auto* words = vtkStringArray::SafeDownCast(any);
   if (!numbers && !words)
@@ -377,12 +377,12 @@ bool areWhole(vtkDataArray* numbers)
 std::vector<vtkIdType> readSourceIds(vtkDataSet* data, const PolyDataBlock& block, const char* name)
 {
   std::vector<vtkIdType> ids;
-  if (!isChosen(name) || isEmpty(data))
+  const PartArray array = arrayOfParts(block, name, "SourceIdArrayName");
+  vtkAbstractArray* any = requireArray(data, block, array);
+  if (!any)
   {
     return ids;
   }
-  const PartArray array = arrayOfParts(block, name, "SourceIdArrayName");
-  vtkAbstractArray* any = requireArray(data, block, array);
   auto* values = vtkDataArray::SafeDownCast(any);
   if (!values || !(integersOf(any) || areWhole(values)))
   {

@@ -96,9 +96,8 @@ std::size_t blockOf(const std::vector<SurfaceBlock>& blocks, Id item, Id Surface
 
 std::string PolyDataSurface::nameOfCell(Id triangle, const std::vector<PolyDataBlock>& inputs) const
 {
-  const std::size_t index = this->blockOf(triangle, &SurfaceBlock::firstTriangle);
-  const SurfaceBlock& block = this->blocks[index];
-  return inputs[index].name.part("cell", block.inputCell(triangle - block.firstTriangle)).text();
+  const auto [block, cell] = this->inputCellOf(triangle);
+  return inputs[block].name.part("cell", cell).text();
 }
 
 std::vector<Id> numberUsedVertices(std::vector<Triangle>& triangles, std::size_t numberOfVertices)

@@ -271,6 +271,13 @@ struct PolyDataSurface
   {
     return this->triangleOfPart(this->barrierParts[this->barriers->surface().triangleOf(face)]);
   }
+  /// The block of a triangle, and the cell of the block's input that it came from.
+  std::pair<std::size_t, vtkIdType> inputCellOf(Id triangle) const
+  {
+    const std::size_t index = this->blockOf(triangle, &SurfaceBlock::firstTriangle);
+    const SurfaceBlock& block = this->blocks[index];
+    return { index, block.inputCell(triangle - block.firstTriangle) };
+  }
   /// "cell 17 of the surface (input port 0)"
   ///
   /// \param inputs the blocks that the surface was read from.
