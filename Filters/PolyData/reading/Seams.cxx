@@ -275,8 +275,13 @@ std::vector<SeamVertex> findSeamVertices(const SeamSurface& surface, Exchange& e
   {
     edges = addTriangles(surface, numbers, own);
   }
-  std::vector<SeamVertex> vertices = combineRanks(valuesOfRanks(exchange, own));
-  markBoundary(valuesOfRanks(exchange, edges), vertices);
+  if (exchange.numberOfRanks() > 1)
+  {
+    own = valuesOfRanks(exchange, own);
+    edges = valuesOfRanks(exchange, edges);
+  }
+  std::vector<SeamVertex> vertices = combineRanks(std::move(own));
+  markBoundary(std::move(edges), vertices);
   const auto isInside = [](const SeamVertex& vertex)
   { return vertex.hasFace && !vertex.isOnBoundary && !vertex.isNearGhost; };
   vertices.erase(std::remove_if(vertices.begin(), vertices.end(), isInside), vertices.end());
