@@ -29,7 +29,6 @@ namespace
 /// What a surface makes of cells of a type.
 enum class CellKind : unsigned char
 {
-  NotYetKnown,
   Polygon,
   Pixel,
   Strip,
@@ -48,7 +47,8 @@ vtkSmartPointer<vtkCell> cellOfType(int type)
   return vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
 }
 
-CellKind kindOf(int type)
+/// \param cell of the type; null if VTK does not know it.
+CellKind kindOf(int type, vtkCell* cell)
 {
   switch (type)
   {
@@ -67,10 +67,31 @@ CellKind kindOf(int type)
     default:
       break;
   }
-  const vtkSmartPointer<vtkCell> cell = cellOfType(type);
   constexpr CellKind ofDimension[] = { CellKind::Vertex, CellKind::Line, CellKind::Curved,
     CellKind::Volume };
   return cell ? ofDimension[cell->GetCellDimension()] : CellKind::Foreign;
+}
+
+struct CellType
+{
+  CellKind kind;
+  /// Below this number of points VTK reads points that are not there.
+  vtkIdType leastSize;
+};
+
+const CellType& cellType(int type)
+{
+  static const std::array<CellType, 256> types = []
+  {
+    std::array<CellType, 256> made{};
+    for (std::size_t i = 0; i < made.size(); ++i)
+    {
+      const vtkSmartPointer<vtkCell> cell = cellOfType(static_cast<int>(i));
+      made[i] = { kindOf(static_cast<int>(i), cell), cell ? cell->GetNumberOfPoints() : 0 };
+    }
+    return made;
+  }();
+  return types[static_cast<unsigned char>(type)];
 }
 
 /// Cells of one kind, and their numbers in the grid.
@@ -103,7 +124,7 @@ public:
       [&](vtkIdType size, const vtkIdType* ids)
       {
         const vtkIdType cell = next++;
-        const int type = this->typeOf(cell);
+        const int type = this->grid_->GetCellType(cell);
         const CellKind kind = this->kindOfCell(cell);
         const bool isLine = type == VTK_LINE || type == VTK_POLY_LINE;
         if (kind == CellKind::Polygon || kind == CellKind::Pixel)
@@ -149,24 +170,13 @@ private:
     bool isAnySplit = false;
   };
 
-  unsigned char typeOf(vtkIdType cell) const
+  CellKind kindOfCell(vtkIdType cell) const
   {
-    return static_cast<unsigned char>(this->grid_->GetCellType(cell));
-  }
-
-  CellKind kindOfCell(vtkIdType cell)
-  {
-    const unsigned char type = this->typeOf(cell);
-    CellKind& kind = this->kinds_[type];
-    if (kind == CellKind::NotYetKnown)
-    {
-      kind = kindOf(type);
-    }
-    return kind;
+    return cellType(this->grid_->GetCellType(cell)).kind;
   }
 
   /// \throws InputError
-  Found look()
+  Found look() const
   {
     Found found;
     for (vtkIdType cell = 0; cell < this->grid_->GetNumberOfCells(); ++cell)
@@ -184,7 +194,7 @@ private:
 
   [[noreturn]] void throwNoFace(vtkIdType cell) const
   {
-    const int type = this->typeOf(cell);
+    const int type = this->grid_->GetCellType(cell);
     const vtkSmartPointer<vtkCell> like = cellOfType(type);
     const std::string which = this->block_.name.part("cell", cell).atBeginning();
     throw InputError(like ? which + " is three-dimensional, a " + like->GetClassName() +
@@ -329,7 +339,7 @@ private:
   {
     requirePoints<InputError>(this->block_, cell, size, ids);
     this->corners_->Reset();
-    if (size >= this->leastSizeOf(this->typeOf(cell)))
+    if (size >= cellType(this->grid_->GetCellType(cell)).leastSize)
     {
       this->grid_->GetCell(cell, this->cell_);
       this->cell_->Triangulate(0, this->corners_, this->places_);
@@ -340,28 +350,14 @@ private:
     if (!std::all_of(ids, ids + size, isCorner))
     {
       throw InputError(this->block_.name.part("cell", cell).atBeginning() + " is of type " +
-        std::to_string(this->typeOf(cell)) +
+        std::to_string(this->grid_->GetCellType(cell)) +
         " and cannot be cut into triangles through its points, of which there are " +
         std::to_string(size) + ". Repair the cells upstream.");
     }
   }
 
-  /// Below this VTK reads points that are not there.
-  vtkIdType leastSizeOf(unsigned char type)
-  {
-    vtkIdType& size = this->leastSizes_[type];
-    if (size == 0)
-    {
-      size = cellOfType(type)->GetNumberOfPoints();
-    }
-    return size;
-  }
-
   vtkUnstructuredGrid* grid_;
   PolyDataBlock block_;
-  /// The kind, and the least number of points, of each cell type.
-  std::array<CellKind, 256> kinds_{};
-  std::array<vtkIdType, 256> leastSizes_{};
   CellsOfKind vertices_;
   CellsOfKind lines_;
   CellsOfKind polygons_;
