@@ -6,7 +6,6 @@
 #include "Types.h"
 
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
