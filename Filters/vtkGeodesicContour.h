@@ -98,28 +98,17 @@ public:
 
   ///@{
   /**
-   * The largest distance of a chord from the arc that it stands for, as a fraction of the diagonal
-   * of the bounding box of the points that faces use. Default: 0.0001. Used unless
-   * ToleranceIsAbsolute is on. Anything but a positive number is an error. A tolerance below 1e-12
-   * of an arc's radius counts as 1e-12 of the radius: points are not more exact.
+   * The largest distance of a chord from the arc that it stands for: ChordTolerance, as a fraction
+   * of the diagonal of the bounding box of the points that faces use (default: 0.0001), or, where
+   * ToleranceIsAbsolute is on (off by default), AbsoluteChordTolerance, in the units of the surface
+   * (default: 1). Anything but a positive number is an error. A tolerance below 1e-12 of an arc's
+   * radius counts as 1e-12 of the radius: points are not more exact.
    */
   vtkSetMacro(ChordTolerance, double);
   vtkGetMacro(ChordTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether AbsoluteChordTolerance is used in place of ChordTolerance. Off by default.
-   */
   vtkSetMacro(ToleranceIsAbsolute, bool);
   vtkGetMacro(ToleranceIsAbsolute, bool);
   vtkBooleanMacro(ToleranceIsAbsolute, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The same in the units of the surface, used where ToleranceIsAbsolute is on. Default: 1.
-   */
   vtkSetMacro(AbsoluteChordTolerance, double);
   vtkGetMacro(AbsoluteChordTolerance, double);
   ///@}

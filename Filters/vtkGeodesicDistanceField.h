@@ -128,27 +128,17 @@ public:
 
   ///@{
   /**
-   * The largest difference between the linear interpolant of the output and the computed distance,
-   * as a fraction of the diagonal of the bounding box of the points that faces use. Default: 0.001.
-   * Used unless ToleranceIsAbsolute is on. Anything but a positive number is an error.
+   * The largest difference between the linear interpolant of the output and the computed distance:
+   * RefinementTolerance, as a fraction of the diagonal of the bounding box of the points that faces
+   * use (default: 0.001), or, where ToleranceIsAbsolute is on (off by default),
+   * AbsoluteRefinementTolerance, in the units of the surface (default: 1). Anything but a positive
+   * number is an error.
    */
   vtkSetMacro(RefinementTolerance, double);
   vtkGetMacro(RefinementTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether AbsoluteRefinementTolerance is used in place of RefinementTolerance. Off by default.
-   */
   vtkSetMacro(ToleranceIsAbsolute, bool);
   vtkGetMacro(ToleranceIsAbsolute, bool);
   vtkBooleanMacro(ToleranceIsAbsolute, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The same in the units of the surface, used where ToleranceIsAbsolute is on. Default: 1.
-   */
   vtkSetMacro(AbsoluteRefinementTolerance, double);
   vtkGetMacro(AbsoluteRefinementTolerance, double);
   ///@}
@@ -208,21 +198,15 @@ public:
   ///@{
   /**
    * The distance, arc length, angle and texture coordinates of points that are not reached:
-   * +infinity (the default), NaN, or CustomUnreachedValue, for filters and files that need finite
-   * numbers. No path reaches points in barriers, beyond MaximumDistance, and of other components.
+   * +infinity (the default), NaN, or CustomUnreachedValue, any number (default: -1), for filters
+   * and files that need finite numbers. No path reaches points in barriers, beyond MaximumDistance,
+   * and of other components.
    */
   vtkSetClampMacro(UnreachedValue, int, UNREACHED_INFINITY, UNREACHED_CUSTOM);
   vtkGetMacro(UnreachedValue, int);
   void SetUnreachedValueToInfinity() { this->SetUnreachedValue(UNREACHED_INFINITY); }
   void SetUnreachedValueToNaN() { this->SetUnreachedValue(UNREACHED_NAN); }
   void SetUnreachedValueToCustom() { this->SetUnreachedValue(UNREACHED_CUSTOM); }
-  ///@}
-
-  ///@{
-  /**
-   * The distance of points that are not reached where UnreachedValue is UNREACHED_CUSTOM. Any
-   * number; default: -1, which no reached point has.
-   */
   vtkSetMacro(CustomUnreachedValue, double);
   vtkGetMacro(CustomUnreachedValue, double);
   ///@}
@@ -353,38 +337,29 @@ public:
   vtkBooleanMacro(TextureRepeats, bool);
   ///@}
 
-  ///@{
   /**
    * After an execution: the number of windows that the propagation handled, divided by the number
    * of mesh edges.
    */
   vtkGetMacro(WindowsPropagatedPerEdge, double);
-  ///@}
 
-  ///@{
   /**
    * After an execution: the length on the surface of all curves of the source; 0 for points.
    */
   vtkGetMacro(SourceLength, double);
-  ///@}
 
-  ///@{
   /**
    * After an execution: the farthest that any point of the source was from where it was put on the
    * surface.
    */
   vtkGetMacro(SourceSnapDistance, double);
-  ///@}
 
-  ///@{
   /**
    * After an execution: what is certified about the relative error of the computed distance, at
    * most RelativeError. It is 0 where the distance is exact.
    */
   vtkGetMacro(RelativeErrorBound, double);
-  ///@}
 
-  ///@{
   /**
    * After an execution with RefineMesh: the certified difference between the linear interpolant of
    * the output and the computed distance, anywhere on triangles that are reached and have a point
@@ -392,15 +367,12 @@ public:
    * why not. Infinite if the surface was not refined.
    */
   vtkGetMacro(InterpolationErrorBound, double);
-  ///@}
 
-  ///@{
   /**
    * After an execution: how many points on the boundary of the surface, its blocks or the pieces of
    * several ranks were joined with others although their coordinates differ.
    */
   vtkGetMacro(SeamPointsJoined, vtkIdType);
-  ///@}
 
   ///@{
   /**
