@@ -129,6 +129,8 @@ std::vector<PolyDataBlock> targetBlocks(
 ///         NaN.
 void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* array, Exchange& exchange);
 
+/// "cell 3, cell 17 and 5 more", by the names of the first of so many.
+std::string listFirst(const std::vector<std::string>& names, std::size_t count);
 /// The first few of some ids, for an error message: "3, 17, 20 and 5 more".
 std::string listIds(const std::vector<vtkIdType>& ids);
 
