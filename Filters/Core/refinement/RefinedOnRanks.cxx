@@ -16,40 +16,28 @@ namespace geodesic
 namespace
 {
 
-/// The number of a point in a refined face, to which this adds it, after its parents, if it is new.
-///
-/// \param numbers those known.
-Id numberIn(
-  RefinedFace& face, std::unordered_map<Id, Id>& numbers, const RefinedMesh& refined, Id point)
+/// \param corners the caller's points at the face's corners.
+/// \param rank this one.
+RefinedMesh refinedFace(const RefinedMesh& refined, Id id, const Triangle& corners, int rank)
 {
-  const auto known = numbers.find(point);
-  if (known != numbers.end())
-  {
-    return known->second;
-  }
-  const Id added = point - refined.numberOfInputPoints;
-  RefinedPoint copy = refined.points[added];
-  for (Id& parent : copy.parents)
-  {
-    parent = numberIn(face, numbers, refined, parent);
-  }
-  copy.place = {};
-  face.points.push_back(copy);
-  face.numbersThere.push_back(added);
-  return numbers[point] = 2 + static_cast<Id>(face.points.size());
-}
-
-RefinedFace refinedFace(const RefinedMesh& refined, Id id, const Triangle& corners)
-{
-  RefinedFace face;
+  RefinedMesh face;
+  face.numberOfInputPoints = 3;
   std::unordered_map<Id, Id> numbers = { { corners[0], 0 }, { corners[1], 1 }, { corners[2], 2 } };
+  const auto add = [&](RefinedPoint point, Id number)
+  {
+    point.place = {};
+    face.points.push_back(point);
+    face.copied.push_back({ rank, number - refined.numberOfInputPoints });
+    return 2 + static_cast<Id>(face.points.size());
+  };
   const auto [first, last] = std::equal_range(refined.faces.begin(), refined.faces.end(), id);
   for (auto part = first; part != last; ++part)
   {
     Triangle t = refined.triangles[static_cast<std::size_t>(part - refined.faces.begin())];
     for (Id& corner : t)
     {
-      corner = numberIn(face, numbers, refined, corner);
+      corner = numberElsewhere(
+        corner, numbers, [&](Id number) { return refined.pointAt(number); }, add);
     }
     face.triangles.push_back(t);
   }
@@ -58,29 +46,33 @@ RefinedFace refinedFace(const RefinedMesh& refined, Id id, const Triangle& corne
 
 } // anonymous namespace
 
-std::vector<RefinedFace> findRefinedFaces(const std::vector<RankAddress>& faces,
+std::vector<RefinedMesh> findRefinedFaces(const std::vector<RankAddress>& faces,
   const MeshPartition& part, const RefinedMesh& refined, const std::vector<Triangle>& cornerPoints)
 {
   Questions questions(part.exchange());
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    questions.ask(faces[i].rank, i, faces[i].id);
+    if (faces[i].id != NoId)
+    {
+      questions.ask(faces[i].rank, i, faces[i].id);
+    }
   }
-  std::vector<RefinedFace> result(faces.size());
+  std::vector<RefinedMesh> result(faces.size());
   questions.exchangeAnswers(
     [&](MessageReader& question, Message& answer)
     {
       const Id id = question.get<Id>();
-      const RefinedFace face = refinedFace(
-        refined, id, cornerPoints.empty() ? part.mesh().triangle(id) : cornerPoints[id]);
+      const RefinedMesh face = refinedFace(refined, id,
+        cornerPoints.empty() ? part.mesh().triangle(id) : cornerPoints[id], part.exchange().rank());
       putAll(answer, face.points);
-      putAll(answer, face.numbersThere);
+      putAll(answer, face.copied);
       putAll(answer, face.triangles);
     },
     [&](std::size_t i, MessageReader& answer)
     {
+      result[i].numberOfInputPoints = 3;
       result[i].points = answer.getAll<RefinedPoint>();
-      result[i].numbersThere = answer.getAll<Id>();
+      result[i].copied = answer.getAll<RankAddress>();
       result[i].triangles = answer.getAll<Triangle>();
     });
   return result;

@@ -54,59 +54,33 @@ std::vector<RefinedPoint> addedPoints(const RefinedFaces& faces, const std::vect
   return points;
 }
 
-/// The caller's numbers for the points of a refined mesh, where several may be one vertex.
-class CallersNumbers
+/// Gives points the caller's numbers, where several of the caller's points may be one vertex. Added
+/// points are numbered in the order in which triangles reach them.
+void useCallersPoints(
+  const TriangleMesh& mesh, const std::vector<Triangle>& atCorners, RefinedMesh& result)
 {
-public:
-  CallersNumbers(const TriangleMesh& mesh, const std::vector<Triangle>& atCorners,
-    std::vector<RefinedPoint> points, RefinedMesh& result)
-    : mesh_(mesh)
-    , atCorners_(atCorners)
-    , points_(std::move(points))
-    , splits_(result)
+  const std::vector<RefinedPoint> points = std::exchange(result.points, {});
+  const auto pointAt = [&](Id point) { return points[point - mesh.numberOfVertices()]; };
+  SplitPointNumbering splits(result);
+  const auto add = [&](const RefinedPoint& point, Id) { return splits.numberOf(point); };
+  std::unordered_map<Id, Id> numbers; // in one face, whose triangles are consecutive
+  for (std::size_t i = 0; i < result.triangles.size(); ++i)
   {
-  }
-
-  /// Requires that the triangles of a face are consecutive.
-  Triangle of(Id face, const Triangle& corners)
-  {
-    if (face != this->face_)
+    const Id face = result.faces[i];
+    if (i == 0 || face != result.faces[i - 1])
     {
-      this->face_ = face;
-      this->inFace_.clear();
+      numbers.clear();
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        numbers.emplace(mesh.triangle(face)[k], atCorners[face][k]);
+      }
     }
-    return { this->of(corners[0]), this->of(corners[1]), this->of(corners[2]) };
-  }
-
-private:
-  Id of(Id point)
-  {
-    if (point < this->mesh_.numberOfVertices())
+    for (Id& corner : result.triangles[i])
     {
-      const Triangle& corners = this->mesh_.triangle(this->face_);
-      const std::size_t k = point == corners[0] ? 0 : point == corners[1] ? 1 : 2;
-      return this->atCorners_[this->face_][k];
+      corner = numberElsewhere(corner, numbers, pointAt, add);
     }
-    const auto known = this->inFace_.find(point);
-    if (known != this->inFace_.end())
-    {
-      return known->second;
-    }
-    RefinedPoint added = this->points_[point - this->mesh_.numberOfVertices()];
-    added.parents = { this->of(added.parents[0]), this->of(added.parents[1]) };
-    const Id number = this->splits_.numberOf(added);
-    this->inFace_.emplace(point, number);
-    return number;
   }
-
-  const TriangleMesh& mesh_;
-  const std::vector<Triangle>& atCorners_;
-  std::vector<RefinedPoint> points_;
-  SplitPointNumbering splits_;
-  /// The numbers found in the current face: a point's ancestors occur many times.
-  std::unordered_map<Id, Id> inFace_;
-  Id face_ = NoId;
-};
+}
 
 /// Writes all triangles in parallel, with the numbers of the mesh's vertices.
 void writeTriangles(const RefinedFaces& faces, const std::vector<Id>& firstInside, const Job& job,
@@ -198,20 +172,15 @@ RefinedMesh writeOutput(
   RefinedMesh result;
   result.numberOfInputPoints = numberOfPoints;
   writeTriangles(faces, firstInside, job, result);
-  std::vector<RefinedPoint> points = addedPoints(faces, firstInside);
+  result.points = addedPoints(faces, firstInside);
   if (!options.cornerPoints.empty())
   {
-    // Added points are numbered in the order in which triangles reach them.
-    CallersNumbers numbers(mesh, options.cornerPoints, std::move(points), result);
-    for (std::size_t i = 0; i < result.triangles.size(); ++i)
-    {
-      result.triangles[i] = numbers.of(result.faces[i], result.triangles[i]);
-    }
+    useCallersPoints(mesh, options.cornerPoints, result);
     return result;
   }
   const Id left = mesh.numberOfVertices() - numberOfPoints;
   const auto renumber = [&](Id& point) { point -= point < numberOfPoints ? 0 : left; };
-  for (RefinedPoint& point : points)
+  for (RefinedPoint& point : result.points)
   {
     std::for_each(point.parents.begin(), point.parents.end(), renumber);
   }
@@ -219,7 +188,6 @@ RefinedMesh writeOutput(
   {
     std::for_each(result.triangles[i].begin(), result.triangles[i].end(), renumber);
   }
-  result.points = std::move(points);
   return result;
 }
 
