@@ -10,12 +10,11 @@
 namespace geodesic
 {
 
-void FaceCheck::enter(FaceTriangles& face)
+void FaceCheck::enter(const FaceTriangles& face)
 {
   this->face_ = &face;
   this->inside_.clear();
   this->distance_.enter(face.face());
-  this->sides_.enter(face);
 }
 
 SideDeviation FaceCheck::deviationOf(Id a, Id b)
@@ -24,8 +23,8 @@ SideDeviation FaceCheck::deviationOf(Id a, Id b)
   {
     return { this->measured(std::min(a, b), std::max(a, b)), b < a };
   }
-  const PieceOfEdge piece = this->sides_.pieceBetween(a, b);
-  return { this->sides_.deviationOf(piece), piece.isReversed };
+  const PieceOfEdge piece = this->faces_.pieceBetween(*this->face_, a, b);
+  return { this->faces_.edges[piece.edge].pieces[piece.piece], piece.isReversed };
 }
 
 // From the lower point to the higher one, to the last digit the same from both sides.

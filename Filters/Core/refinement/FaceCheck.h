@@ -4,7 +4,7 @@
 
 #include "field/FaceDistance.h"
 #include "field/SegmentEnvelope.h"
-#include "refinement/FaceSides.h"
+#include "refinement/RefinedFaces.h"
 #include "refinement/TriangleError.h"
 
 #include <cstdint>
@@ -41,19 +41,15 @@ public:
 
   /// \param faces must outlive this.
   FaceCheck(const RefinedFaces& faces, double tolerance)
-    : tolerance_(tolerance)
+    : faces_(faces)
+    , tolerance_(tolerance)
     , error_(faces.field)
     , distance_(faces.field)
-    , sides_(faces)
   {
   }
 
-  void enter(FaceTriangles& face);
-  /// Puts the points that are new on the edges into the face.
-  void takePoints() { this->sides_.takePoints(this->distance_); }
-
+  void enter(const FaceTriangles& face);
   const FaceDistance& distance() const { return this->distance_; }
-  const FaceSides& sides() const { return this->sides_; }
   /// The deviation along a side between two points of the face.
   SideDeviation deviationOf(Id a, Id b);
   /// \param isTight whether the bound has to be close to a difference that does occur, also over
@@ -63,11 +59,11 @@ public:
 private:
   const Deviation& measured(Id a, Id b);
 
+  const RefinedFaces& faces_;
   double tolerance_;
   TriangleError error_;
   SegmentEnvelope envelope_;
   FaceDistance distance_;
-  FaceSides sides_;
   const FaceTriangles* face_ = nullptr;
   /// The deviations along sides inside the face, from the lower point to the higher one.
   std::unordered_map<std::uint64_t, Deviation> inside_;

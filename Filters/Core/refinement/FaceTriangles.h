@@ -52,7 +52,15 @@ public:
     Id version = 0;
   };
 
-  FaceTriangles(Id face, const std::array<Point, 3>& corners);
+  /// A side of the face as an edge of the input (CutEdges), which may run the other way.
+  struct Side
+  {
+    Id edge;
+    bool isReversed;
+  };
+
+  FaceTriangles(
+    Id face, const std::array<Point, 3>& corners, const std::array<Side, 3>& sides = {});
 
   Id face() const { return this->face_; }
   const std::vector<Point>& points() const { return this->points_; }
@@ -61,6 +69,7 @@ public:
   Id numberOfParts() const { return static_cast<Id>(this->parts_.size()); }
   std::array<Vec2, 3> places(const Triangle& corners) const;
 
+  const Side& side(std::size_t side) const { return this->sides_[side]; }
   /// The number of points on a side, without its ends.
   Id pointsOn(std::size_t side) const { return this->pointsOn_[side]; }
   /// The number of points that shapes alone have asked for.
@@ -93,6 +102,7 @@ private:
   Id face_;
   std::vector<Point> points_;
   std::vector<Part> parts_;
+  std::array<Side, 3> sides_;
   std::array<Id, 3> pointsOn_{};
   Id pointsForShapes_ = 0;
   std::vector<Id> changed_;

@@ -136,7 +136,7 @@ void appendTriangles(const RefinedFaces& faces, Id face, const std::vector<Id>& 
   if (faces.isOpen(face))
   {
     const FaceTriangles& cut = faces.triangles(face);
-    const std::vector<Id> numbers = numbersIn(cut, firstInside[faces.ofFace[face]]);
+    const std::vector<Id> numbers = numbersIn(cut, firstInside[faces.numberOf(face)]);
     for (const FaceTriangles::Part& part : cut.parts())
     {
       const Triangle& c = part.corners;

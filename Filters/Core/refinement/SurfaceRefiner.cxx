@@ -293,7 +293,7 @@ double SurfaceRefiner::boundOfAll()
 {
   FaceCheck check(this->faces_, this->tolerance_);
   double bound = this->bound_;
-  for (FaceTriangles& face : this->faces_.openFaces())
+  for (const FaceTriangles& face : this->faces_.openFaces())
   {
     for (const FaceTriangles::Part& part : face.parts())
     {
