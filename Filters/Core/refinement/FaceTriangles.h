@@ -3,6 +3,7 @@
 #define geodesic_FaceTriangles_h
 
 #include "mesh/HalfedgeFrame.h"
+#include "mesh/SurfacePoint.h"
 
 #include <array>
 #include <cstdint>
@@ -68,6 +69,12 @@ public:
   Part& part(Id part) { return this->parts_[part]; }
   Id numberOfParts() const { return static_cast<Id>(this->parts_.size()); }
   std::array<Vec2, 3> places(const Triangle& corners) const;
+  /// Where a point inside the face is on the surface.
+  SurfacePoint placeOf(Id point) const
+  {
+    const Barycentric& weights = this->points_[point].weights;
+    return SurfacePoint::inFace(this->face_, weights[1], weights[2]);
+  }
 
   const Side& side(std::size_t side) const { return this->sides_[side]; }
   /// The number of points on a side, without its ends.
