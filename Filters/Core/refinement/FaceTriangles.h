@@ -28,7 +28,8 @@ public:
     /// As in the result; and according to this face, which differs in an approximate field.
     double distance;
     double here;
-    /// Of a vertex or a point on an edge, see PointOnEdge; NoId inside the face.
+    /// Of a vertex or a point on an edge, see PointOnEdge; NoId inside the face, until the result
+    /// is written.
     Id number = NoId;
     /// The points of this face between which it was put, and the fraction of the way: inside only.
     std::array<Id, 2> parents = { NoId, NoId };
@@ -65,6 +66,7 @@ public:
 
   Id face() const { return this->face_; }
   const std::vector<Point>& points() const { return this->points_; }
+  Point& point(Id point) { return this->points_[point]; }
   const std::vector<Part>& parts() const { return this->parts_; }
   Part& part(Id part) { return this->parts_[part]; }
   Id numberOfParts() const { return static_cast<Id>(this->parts_.size()); }

@@ -46,11 +46,9 @@ public:
   /// Begins the triangulation of a face; its edges get numbers.
   void open(Id face);
   bool isOpen(Id face) const { return this->ofFace_[face] != NoId; }
-  /// The number of an open face among these.
-  Id numberOf(Id face) const { return this->ofFace_[face]; }
   FaceTriangles& triangles(Id face) { return this->open_[this->ofFace_[face]]; }
   const FaceTriangles& triangles(Id face) const { return this->open_[this->ofFace_[face]]; }
-  const std::vector<FaceTriangles>& openFaces() const { return this->open_; }
+  std::vector<FaceTriangles>& openFaces() { return this->open_; }
 
   /// Puts the points that are new on a face's edges into the face.
   void takePoints(FaceTriangles& face, const FaceDistance& distance) const;

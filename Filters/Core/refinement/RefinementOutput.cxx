@@ -13,41 +13,30 @@ namespace geodesic
 namespace
 {
 
-/// The numbers of a face's points among those of all faces.
-std::vector<Id> numbersIn(const FaceTriangles& face, Id firstInside)
-{
-  std::vector<Id> numbers;
-  numbers.reserve(face.points().size());
-  for (const FaceTriangles::Point& point : face.points())
-  {
-    numbers.push_back(point.number == NoId ? firstInside++ : point.number);
-  }
-  return numbers;
-}
-
-/// All added points, each after its parents, with the numbers of the mesh's vertices.
-std::vector<RefinedPoint> addedPoints(const RefinedFaces& faces, const std::vector<Id>& firstInside)
+/// All added points, each after its parents, with the numbers of the mesh's vertices. Points inside
+/// faces get theirs.
+std::vector<RefinedPoint> numberPoints(RefinedFaces& faces)
 {
   const TriangleMesh& mesh = faces.field.mesh();
   std::vector<RefinedPoint> points;
+  const auto next = [&] { return mesh.numberOfVertices() + static_cast<Id>(points.size()); };
   for (const PointOnEdge& point : faces.edges.points())
   {
-    const Id number = mesh.numberOfVertices() + static_cast<Id>(points.size());
-    const SurfacePoint place = faces.edges.placeOf(number);
+    const SurfacePoint place = faces.edges.placeOf(next());
     points.push_back({ point.parents, point.weight, place, position(mesh, place), point.distance });
   }
-  for (std::size_t i = 0; i < faces.openFaces().size(); ++i)
+  for (FaceTriangles& face : faces.openFaces())
   {
-    const FaceTriangles& face = faces.openFaces()[i];
-    const std::vector<Id> numbers = numbersIn(face, firstInside[i]);
-    for (const FaceTriangles::Point& point : face.points())
+    for (Id i = 0; i < face.points().size(); ++i)
     {
+      FaceTriangles::Point& point = face.point(i);
       if (point.number == NoId)
       {
-        const SurfacePoint place =
-          SurfacePoint::inFace(face.face(), point.weights[1], point.weights[2]);
-        points.push_back({ { numbers[point.parents[0]], numbers[point.parents[1]] }, point.weight,
-          place, position(mesh, place), point.distance });
+        point.number = next();
+        const SurfacePoint place = face.placeOf(i);
+        points.push_back(
+          { { face.point(point.parents[0]).number, face.point(point.parents[1]).number },
+            point.weight, place, position(mesh, place), point.distance });
       }
     }
   }
@@ -83,8 +72,7 @@ void useCallersPoints(
 }
 
 /// Writes all triangles in parallel, with the numbers of the mesh's vertices.
-void writeTriangles(const RefinedFaces& faces, const std::vector<Id>& firstInside, const Job& job,
-  RefinedMesh& result)
+void writeTriangles(const RefinedFaces& faces, const Job& job, RefinedMesh& result)
 {
   const MeshPartition& surface = faces.field.surface();
   const Id first = surface.firstOwnFace();
@@ -101,7 +89,7 @@ void writeTriangles(const RefinedFaces& faces, const std::vector<Id>& firstInsid
       for (std::size_t i = begin; i < end; ++i)
       {
         const Id face = first + static_cast<Id>(i);
-        appendTriangles(faces, face, firstInside, range.triangles);
+        appendTriangles(faces, face, range.triangles);
         range.faces.resize(range.triangles.size(), face);
       }
       return range;
@@ -115,32 +103,16 @@ void writeTriangles(const RefinedFaces& faces, const std::vector<Id>& firstInsid
 
 } // anonymous namespace
 
-std::vector<Id> firstPointsInside(const RefinedFaces& faces)
-{
-  std::vector<Id> first;
-  Id next = faces.field.mesh().numberOfVertices() + static_cast<Id>(faces.edges.points().size());
-  for (const FaceTriangles& face : faces.openFaces())
-  {
-    first.push_back(next);
-    for (const FaceTriangles::Point& point : face.points())
-    {
-      next += point.number == NoId ? 1 : 0;
-    }
-  }
-  return first;
-}
-
-void appendTriangles(const RefinedFaces& faces, Id face, const std::vector<Id>& firstInside,
-  std::vector<Triangle>& triangles)
+void appendTriangles(const RefinedFaces& faces, Id face, std::vector<Triangle>& triangles)
 {
   if (faces.isOpen(face))
   {
     const FaceTriangles& cut = faces.triangles(face);
-    const std::vector<Id> numbers = numbersIn(cut, firstInside[faces.numberOf(face)]);
     for (const FaceTriangles::Part& part : cut.parts())
     {
-      const Triangle& c = part.corners;
-      triangles.push_back({ numbers[c[0]], numbers[c[1]], numbers[c[2]] });
+      const auto& [a, b, c] = part.corners;
+      triangles.push_back(
+        { cut.points()[a].number, cut.points()[b].number, cut.points()[c].number });
     }
     return;
   }
@@ -165,14 +137,13 @@ void appendTriangles(const RefinedFaces& faces, Id face, const std::vector<Id>& 
 }
 
 RefinedMesh writeOutput(
-  const RefinedFaces& faces, const RefinementOptions& options, Id numberOfPoints, const Job& job)
+  RefinedFaces& faces, const RefinementOptions& options, Id numberOfPoints, const Job& job)
 {
   const TriangleMesh& mesh = faces.field.mesh();
-  const std::vector<Id> firstInside = firstPointsInside(faces);
   RefinedMesh result;
   result.numberOfInputPoints = numberOfPoints;
-  writeTriangles(faces, firstInside, job, result);
-  result.points = addedPoints(faces, firstInside);
+  result.points = numberPoints(faces);
+  writeTriangles(faces, job, result);
   if (!options.cornerPoints.empty())
   {
     useCallersPoints(mesh, options.cornerPoints, result);

@@ -321,7 +321,7 @@ std::vector<Id> SurfaceRefiner::unknownAtBorders()
       continue;
     }
     triangles.clear();
-    appendTriangles(this->faces_, face, {}, triangles);
+    appendTriangles(this->faces_, face, triangles);
     if (std::any_of(triangles.begin(), triangles.end(),
           [&](const Triangle& corners)
           { return this->regions_->lengthAtBorder(face, corners) > 0.0; }))

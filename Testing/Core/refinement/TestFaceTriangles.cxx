@@ -267,7 +267,7 @@ TEST(RefinedFaces, AFaceThatIsNotRefinedIsClosedBetweenThePointsOnItsEdges)
       }
     }
     std::vector<Triangle> triangles;
-    geodesic::appendTriangles(faces, face, {}, triangles);
+    geodesic::appendTriangles(faces, face, triangles);
     EXPECT_EQ(triangles.size(), 1 + added);
     const auto weightsOf = [&](Id point)
     {
