@@ -72,8 +72,8 @@ double SurfaceRefiner::shareOfRoom() const
     (static_cast<double>(this->options_.maximumFaces) - own);
 }
 
-// Works in batches. Each batch knows the bound certified by the previous ones, however many
-// threads there are.
+// Works in batches. Each batch knows the bound certified by the previous ones, as smaller bounds
+// need not be sharp.
 void SurfaceRefiner::assessFaces()
 {
   constexpr Id facesInBatch = 2 * ItemsInRange;
@@ -88,32 +88,27 @@ void SurfaceRefiner::assessFaces()
 
 void SurfaceRefiner::assessFaces(Id first, Id end)
 {
-  const double known = this->bound_;
-  std::vector<QuickError> errors(end - first);
-  this->options_.job.part(0.0, 0.0).loop(errors.size(),
+  std::vector<double> bounds(end - first, 0.0);
+  this->options_.job.part(0.0, 0.0).loop(bounds.size(),
     [&](std::size_t i)
     {
       const Id face = first + static_cast<Id>(i);
       if (!this->faces_.isFrozen(face))
       {
-        errors[i] = quickErrorOfFace(this->faces_.field, face, this->tolerance_, known);
+        bounds[i] = quickBoundOfFace(this->faces_.field, face, this->tolerance_, this->bound_);
       }
     });
   for (Id face = first; face < end; ++face)
   {
-    const QuickError& error = errors[face - first];
-    if (this->faces_.isFrozen(face))
-    {
-      continue;
-    }
-    if (error.byWindows == Infinity)
+    const double bound = bounds[face - first];
+    if (bound == Infinity)
     {
       this->due_.push_back(face);
-      continue;
     }
-    // Smaller bounds than that of all faces need not be sharp.
-    const double bound = error.bySize <= this->bound_ ? error.bySize : error.byWindows;
-    this->bound_ = std::max(this->bound_, bound + error.rounding);
+    else
+    {
+      this->bound_ = std::max(this->bound_, bound);
+    }
   }
 }
 
