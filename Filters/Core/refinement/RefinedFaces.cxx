@@ -6,6 +6,25 @@
 namespace geodesic
 {
 
+RefinedFaces::RefinedFaces(const DistanceField& refined, const Job& job)
+  : field(refined)
+  , edges(refined.mesh())
+  , ofFace_(refined.mesh().numberOfFaces(), NoId)
+  , isFrozen_(refined.mesh().numberOfFaces())
+{
+  job.part(0.0, 0.0).loop(this->isFrozen_.size(),
+    [&](std::size_t i)
+    {
+      const Id face = static_cast<Id>(i);
+      const Triangle& corners = refined.mesh().triangle(face);
+      const bool isRefined = refined.surface().isOwn(face) && refined.knowsInside(face) &&
+        !refined.isCovered(face) &&
+        std::all_of(corners.begin(), corners.end(),
+          [&](Id corner) { return refined.vertexDistances()[corner] < Infinity; });
+      this->isFrozen_[face] = isRefined ? 0 : 1;
+    });
+}
+
 void RefinedFaces::open(Id face)
 {
   const TriangleMesh& mesh = this->field.mesh();

@@ -28,20 +28,14 @@ struct PieceOfEdge
 class RefinedFaces
 {
 public:
-  /// All arguments must outlive this.
-  ///
-  /// \param isFrozen for each face, not 0 if this rank does not refine it.
-  RefinedFaces(const DistanceField& refined, const std::vector<std::uint8_t>& isFrozen)
-    : field(refined)
-    , edges(refined.mesh())
-    , ofFace_(refined.mesh().numberOfFaces(), NoId)
-    , isFrozen_(isFrozen)
-  {
-  }
+  /// \param refined must outlive this.
+  explicit RefinedFaces(const DistanceField& refined, const Job& job = {});
 
   const DistanceField& field;
   CutEdges edges;
 
+  /// Whether this rank does not refine a face: it is another rank's or covered, or the field does
+  /// not know all of it.
   bool isFrozen(Id face) const { return this->isFrozen_[face] != 0; }
   /// Begins the triangulation of a face; its edges get numbers.
   void open(Id face);
@@ -63,7 +57,7 @@ private:
 
   /// For each face its number among the open ones; NoId where none is needed.
   std::vector<Id> ofFace_;
-  const std::vector<std::uint8_t>& isFrozen_;
+  std::vector<std::uint8_t> isFrozen_;
   std::vector<FaceTriangles> open_;
 };
 

@@ -22,12 +22,12 @@ constexpr std::uint64_t MostOfRank = NoId / 5;
 
 } // anonymous namespace
 
-SurfaceRefiner::SurfaceRefiner(const DistanceField& field, const RefinementOptions& options,
-  const std::vector<std::uint8_t>& isFrozen, double tolerance)
+SurfaceRefiner::SurfaceRefiner(
+  const DistanceField& field, const RefinementOptions& options, double tolerance)
   : options_(options)
   , surface_(field.surface())
   , tolerance_(tolerance)
-  , faces_(field, isFrozen)
+  , faces_(field, options.job)
   , splits_(faces_, tolerance, options.job)
   , numberOfTriangles_(surface_.endOfOwnFaces() - surface_.firstOwnFace())
   , bound_(surface_.exchange().largestOf(field.droppedErrorBound()))
