@@ -13,17 +13,6 @@
 namespace geodesic
 {
 
-/// The deviation along a side of a triangle.
-struct SideDeviation
-{
-  const Deviation& deviation;
-  /// Whether its places run from the second corner to the first.
-  bool isReversed;
-
-  /// Where it is largest, from the first corner.
-  double at() const { return this->isReversed ? 1.0 - this->deviation.at() : this->deviation.at(); }
-};
-
 /// Compares the triangles of a face under refinement with the distance. One object serves one face
 /// after another and reuses its memory.
 class FaceCheck
@@ -51,14 +40,12 @@ public:
   void enter(const FaceTriangles& face);
   const FaceDistance& distance() const { return this->distance_; }
   /// The deviation along a side between two points of the face.
-  SideDeviation deviationOf(Id a, Id b);
+  Deviation deviationOf(Id a, Id b);
   /// \param isTight whether the bound has to be close to a difference that does occur, also over
   ///        the tolerance.
   Result of(const Triangle& corners, bool isTight);
 
 private:
-  const Deviation& measured(Id a, Id b);
-
   const RefinedFaces& faces_;
   double tolerance_;
   TriangleError error_;

@@ -197,8 +197,8 @@ void FaceRefiner::mendError(const OpenPart& open)
   double at = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const SideDeviation side = this->check_.deviationOf(part.corners[k], part.corners[(k + 1) % 3]);
-    const double deviation = std::min(side.deviation.largest(), lengths[k]);
+    const Deviation side = this->check_.deviationOf(part.corners[k], part.corners[(k + 1) % 3]);
+    const double deviation = std::min(side.largest(), lengths[k]);
     if (deviation > largest)
     {
       worst = k;

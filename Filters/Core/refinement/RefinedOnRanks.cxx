@@ -84,28 +84,28 @@ namespace
 /// A place on an edge, equal on all ranks that have one of its faces: the face with the edge's
 /// lowest halfedge, the halfedge's number there, and the fraction along it, which refinement
 /// computes from the same splits everywhere.
-using PlaceOnSeam = std::tuple<RankAddress, Id, double>;
-
-/// What a rank that knows a face at a place sends to the others there.
-struct PointMessage
+struct PlaceOnSeam
 {
   RankAddress face;
   Id halfedge;
-  Id point;
   double fraction;
 
-  PlaceOnSeam place() const { return { this->face, this->halfedge, this->fraction }; }
+  bool operator<(const PlaceOnSeam& other) const
+  {
+    return std::tie(this->face, this->halfedge, this->fraction) <
+      std::tie(other.face, other.halfedge, other.fraction);
+  }
 };
 
 /// \param place on an edge, or at a vertex, which all ranks know by its global id.
-PointMessage messageOf(const MeshPartition& part, const SurfacePoint& place, Id point)
+PlaceOnSeam onSeam(const MeshPartition& part, const SurfacePoint& place)
 {
   if (place.kind == SurfacePoint::Kind::Vertex)
   {
-    return { { -1, part.globalId(place.id) }, 0, point, 0.0 };
+    return { { -1, part.globalId(place.id) }, 0, 0.0 };
   }
   return { part.addressOf(TriangleMesh::faceOf(place.id)), TriangleMesh::indexInFace(place.id),
-    point, place.u };
+    place.u };
 }
 
 /// This rank's points at one place; there are several if a vertex has several of the caller's
@@ -147,15 +147,16 @@ std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& po
     {
       continue;
     }
-    const PointMessage sent = messageOf(part, place, i);
-    PointsAtPlace& at = places[sent.place()];
+    const PlaceOnSeam onEdge = onSeam(part, place);
+    PointsAtPlace& at = places[onEdge];
     at.here.push_back(i);
     if (isKnown && at.there.id == NoId)
     {
       at.there = { part.exchange().rank(), i };
       for (const int rank : otherRanks)
       {
-        put(messages[rankIndex(rank)], sent);
+        put(messages[rankIndex(rank)], onEdge);
+        put(messages[rankIndex(rank)], i);
       }
     }
   }
@@ -173,11 +174,11 @@ SeamPoints findSeamPoints(const std::vector<RefinedPoint>& points, std::size_t c
   readEach(exchange.step(std::move(messages)),
     [&](int rank, MessageReader& reader)
     {
-      const auto sent = reader.get<PointMessage>();
-      const auto found = places.find(sent.place());
+      const auto found = places.find(reader.get<PlaceOnSeam>());
+      const Id point = reader.get<Id>();
       if (found != places.end() && rank < found->second.there.rank)
       {
-        found->second.there = { rank, sent.point };
+        found->second.there = { rank, point };
       }
     });
   SeamPoints result;
