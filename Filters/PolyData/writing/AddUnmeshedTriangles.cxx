@@ -60,7 +60,7 @@ struct TriangleToCut
 };
 
 /// How the faces at the triangles' edges are refined, three for each triangle.
-std::vector<RefinedMesh> findRefinedFaces(const UnmeshedTriangles& unmeshed,
+std::vector<RefinedMesh> facesAtEdges(const UnmeshedTriangles& unmeshed,
   const std::vector<Triangle>& cornerPoints, const RefinedMesh& refined)
 {
   std::vector<RankAddress> faces;
@@ -229,7 +229,7 @@ RefinedMesh addUnmeshedTriangles(const UnmeshedTriangles& unmeshed, std::uint64_
     return refined;
   }
   takeCutPoints(surface, vertexDistances, refined);
-  const std::vector<RefinedMesh> faces = findRefinedFaces(unmeshed, cornerPoints, refined);
+  const std::vector<RefinedMesh> faces = facesAtEdges(unmeshed, cornerPoints, refined);
   std::vector<TriangleToCut> cuts;
   for (const UnmeshedTriangle& triangle : unmeshed.ofThisRank())
   {
