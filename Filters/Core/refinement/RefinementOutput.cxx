@@ -136,21 +136,24 @@ void appendTriangles(const RefinedFaces& faces, Id face, std::vector<Triangle>& 
     [&](Id point) { return position(mesh, faces.edges.placeOf(point)); }, triangles);
 }
 
-RefinedMesh writeOutput(
-  RefinedFaces& faces, const RefinementOptions& options, Id numberOfPoints, const Job& job)
+// The last vertices may be other ranks' only. Then they are no points of the caller, and added
+// points take their numbers.
+RefinedMesh writeOutput(RefinedFaces& faces, const RefinementOptions& options, const Job& job)
 {
   const TriangleMesh& mesh = faces.field.mesh();
+  const bool areVertices = options.cornerPoints.empty() && mesh.numberOfFaces() > 0;
   RefinedMesh result;
-  result.numberOfInputPoints = numberOfPoints;
+  result.numberOfInputPoints =
+    areVertices ? faces.field.surface().numberOfOwnVertices() : options.numberOfPoints;
   result.points = numberPoints(faces);
   writeTriangles(faces, job, result);
-  if (!options.cornerPoints.empty())
+  if (!areVertices)
   {
     useCallersPoints(mesh, options.cornerPoints, result);
     return result;
   }
-  const Id left = mesh.numberOfVertices() - numberOfPoints;
-  const auto renumber = [&](Id& point) { point -= point < numberOfPoints ? 0 : left; };
+  const Id left = mesh.numberOfVertices() - result.numberOfInputPoints;
+  const auto renumber = [&](Id& point) { point -= point < result.numberOfInputPoints ? 0 : left; };
   for (RefinedPoint& point : result.points)
   {
     std::for_each(point.parents.begin(), point.parents.end(), renumber);

@@ -14,11 +14,7 @@ void appendTriangles(const RefinedFaces& faces, Id face, std::vector<Triangle>& 
 
 /// The triangles of a refined surface and the added points. Points inside faces get numbers behind
 /// those on edges.
-///
-/// \param numberOfPoints of the caller: fewer than vertices if the last vertices are only other
-///        ranks'.
-RefinedMesh writeOutput(
-  RefinedFaces& faces, const RefinementOptions& options, Id numberOfPoints, const Job& job);
+RefinedMesh writeOutput(RefinedFaces& faces, const RefinementOptions& options, const Job& job);
 
 }
 

@@ -55,13 +55,9 @@ bool SurfaceRefiner::run()
 
 RefinedMesh SurfaceRefiner::result(const Job& job)
 {
-  const bool areVertices =
-    this->options_.cornerPoints.empty() && this->surface_.mesh().numberOfFaces() > 0;
-  const std::vector<Id> unknown = this->unknownAtBorders();
-  RefinedMesh result = writeOutput(this->faces_, this->options_,
-    areVertices ? this->surface_.numberOfOwnVertices() : this->options_.numberOfPoints, job);
+  RefinedMesh result = writeOutput(this->faces_, this->options_, job);
   result.errorBound = this->surface_.exchange().largestOf(this->boundOfAll());
-  result.unknownAtBorders = unknown;
+  result.unknownAtBorders = this->unknownAtBorders();
   return result;
 }
 
