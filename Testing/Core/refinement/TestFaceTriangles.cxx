@@ -252,8 +252,7 @@ TEST(RefinedFaces, AFaceThatIsNotRefinedIsClosedBetweenThePointsOnItsEdges)
     const TriangleMesh mesh = engineMesh(bumpySheet(3, 3, 0, 0.5, random));
     const auto field =
       solveKeepingAll(mesh, { geodesic::pointCurve(geodesic::SurfacePoint::atVertex(0)) });
-    const std::vector<std::uint8_t> isFrozen(mesh.numberOfFaces(), 1);
-    geodesic::RefinedFaces faces(field, isFrozen);
+    geodesic::RefinedFaces faces(field);
     const Id face = static_cast<Id>(random.below(mesh.numberOfFaces()));
     std::size_t added = 0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -267,7 +266,7 @@ TEST(RefinedFaces, AFaceThatIsNotRefinedIsClosedBetweenThePointsOnItsEdges)
       }
     }
     std::vector<Triangle> triangles;
-    geodesic::appendTriangles(faces, face, {}, triangles);
+    geodesic::appendTriangles(faces, face, triangles);
     EXPECT_EQ(triangles.size(), 1 + added);
     const auto weightsOf = [&](Id point)
     {
