@@ -184,7 +184,7 @@ class Surface:
         radii = [between[k, :k].min(initial=np.inf) for k in range(len(starts))]
         if count == len(starts):
             return starts.astype(np.int64), np.array(radii)
-        found = self._run(vtkGeodesicFarthestPoints, starts, number_of_points=count - len(starts))
+        found = self._run(vtkGeodesicFarthestPoints, starts, number_of_points=int(count) - len(starts))
         ids = np.concatenate((starts, arrays.column_of(found, "PointId"))).astype(np.int64)
         if len(ids) < count:
             raise GeodesicError(f"count is {count}, but there are only {len(ids)} points at different places to which "
