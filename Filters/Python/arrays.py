@@ -66,6 +66,11 @@ def used_points(data):
     return np.concatenate([np.empty(0, bool), *used])
 
 
+def column_of(table, name):
+    """A column in the memory of the table."""
+    return vtk_to_numpy(table.GetColumnByName(name))
+
+
 def columns_of(table):
     """The distances in a table, one row a target."""
     columns = [vtk_to_numpy(table.GetColumn(i)) for i in range(1, table.GetNumberOfColumns())]

@@ -15,7 +15,7 @@ from . import arrays, inputs, pickling
 from .messages import GeodesicError, property_name, run, warn
 from .pairs import Places, few_sources, index_pairs
 from .vtkFiltersGeodesic import (vtkGeodesicContour, vtkGeodesicDistanceField, vtkGeodesicDistanceMatrix,
-                                 vtkGeodesicPaths)
+                                 vtkGeodesicFarthestPoints, vtkGeodesicPaths)
 
 
 # VTK's number of threads, its observers and where its messages go are of the whole process, so one call runs at a time.
@@ -180,37 +180,16 @@ class Surface:
         of_faces = self._are_of_faces(starts)
         if not of_faces.all():
             raise GeodesicError(f"Point {starts[~of_faces][0]} of the start belongs to no face of the surface.")
-        known = np.full(self._number_of_points(), np.inf)
-        ids, radii = [], []
-        for start in starts:
-            ids.append(start)
-            radii.append(known[start])
-            if len(ids) < count:
-                self._shorten(known, start)
-        if count > len(starts):
-            self._warn_of_parts_without(known)
-        while len(ids) < count:
-            ids.append(np.where(known < np.inf, known, -1).argmax())
-            radii.append(known[ids[-1]])
-            if not radii[-1] > 0:
-                raise GeodesicError(f"count is {count}, but there are only {len(ids) - 1} points at different places "
-                                    "to which a path leads from the start.")
-            if len(ids) < count:
-                # All points are within this distance of those before: the new point is nearest to none beyond it.
-                self._shorten(known, ids[-1], maximum_distance=radii[-1])
-        return np.array(ids, np.int64), np.array(radii)
-
-    def _shorten(self, known, point, **given):
-        """Shortens known distances where the point is nearer."""
-        output = self._solve(source=inputs.indexed_points(np.array([point], np.int64), self._data),
-                             **{**FIELD_DEFAULTS, **given})
-        np.minimum(known, arrays.point_array(output, "GeodesicDistance"), out=known)
-
-    def _warn_of_parts_without(self, known):
-        lost = self._used_points() & ~(known < np.inf)
-        if lost.any() and self._properties["barrier_array_name"] is None:
-            warn(f"{lost.sum()} points are left out, as no path leads to them from the start, such as point "
-                 f"{lost.argmax()}: give a start in each part of the surface.")
+        between = self.matrix(starts) if len(starts) > 1 else np.empty((1, 1))
+        radii = [between[k, :k].min(initial=np.inf) for k in range(len(starts))]
+        if count == len(starts):
+            return starts.astype(np.int64), np.array(radii)
+        found = self._run(vtkGeodesicFarthestPoints, starts, number_of_points=int(count) - len(starts))
+        ids = np.concatenate((starts, arrays.column_of(found, "PointId"))).astype(np.int64)
+        if len(ids) < count:
+            raise GeodesicError(f"count is {count}, but there are only {len(ids)} points at different places to which "
+                                "a path leads from the start.")
+        return ids, np.concatenate((radii, arrays.column_of(found, "GeodesicDistance")))
 
     def _solve(self, accuracy, relative_error, **given):
         """The output of the field's filter."""
