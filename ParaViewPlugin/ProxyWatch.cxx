@@ -306,6 +306,15 @@ public:
       });
   }
 
+  /// Whether a filter has not reached points, whatever their distance is.
+  bool HaveUnreached() const
+  {
+    return std::any_of(this->Filters.begin(), this->Filters.end(),
+      [](vtkSMSourceProxy* filter) {
+        return filter && vtkSMPropertyHelper(filter, "HasUnreachedPoints", true).GetAsInt() != 0;
+      });
+  }
+
   /// Whether an array is a distance of filters of this plugin, none of which has its stripes off.
   bool HasStripes(const std::string& array) const
   {
@@ -429,7 +438,7 @@ void FilterWatch::FitTables(vtkSMSourceProxy* filter) const
   {
     if (array == SourceIds)
     {
-      stripes::showIds(table);
+      stripes::showIds(table, this->Filters->HaveUnreached());
     }
     else if (stripes::areIn(table) && this->Filters->HasStripes(array))
     {
@@ -448,7 +457,7 @@ void TableWatch::Execute(vtkObject* caller, unsigned long, void*)
   auto* table = static_cast<vtkSMProxy*>(caller);
   if (this->Array == SourceIds && this->Filters->HasFilters())
   {
-    stripes::showIds(table);
+    stripes::showIds(table, this->Filters->HaveUnreached());
   }
   const bool hasStripes = stripes::areIn(table) && this->Filters->HasStripes(this->Array);
   if (hasStripes)

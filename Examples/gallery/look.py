@@ -239,6 +239,7 @@ def axes(display, title, x_labels, y_labels):
     """Shows numbers at the left and the lower side of what lies in the plane of x and y, and a title below."""
     grid = display.DataAxesGrid
     grid.GridAxesVisibility, grid.ShowGrid, grid.ShowEdges = 1, 0, 0
+    grid.GridColor = DARK  # of the ticks
     grid.XTitle, grid.YTitle, grid.ZTitle = title, "", ""
     grid.FacesToRender, grid.AxesToLabel = 4, 3
     for axis in "XY":

@@ -73,6 +73,10 @@ for seen in (near, unused):
 for seen in (apart, played):
     assert seen["has_gray"] and seen["has_word"] and seen["word"] == "not reached", seen
 
+# Nor are they in the bar of ids.
+assert "not reached" not in noted("unused ids")["annotations"], noted("unused ids")
+assert noted("apart ids")["annotations"][:2] == ["-1", "not reached"], noted("apart ids")
+
 # At the last frame the front goes up to 1.2 in place of 0.4.
 assert apart["nodes"][-4] < 0.8 < 1.2 <= played["nodes"][-4], (apart["nodes"], played["nodes"])
 
