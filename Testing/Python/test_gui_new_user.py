@@ -54,6 +54,10 @@ for step in ("other", "front"):
 ruler = noted("ruler")
 assert ruler["length"] > 0.1 and ruler["words"] == [f"Length {ruler['length']:g}"], ruler
 assert noted("hidden ruler")["words"] == []
+for step in ("panel", "drawn panel"):
+    panel = noted(step)
+    results = panel["groups"]["Result"]
+    assert panel["first"] == results[0] and {"SourceLength", "LargestDistance", "FarthestPoint"} < set(results), panel
 place = np.array(ruler["place"])
 assert abs(np.linalg.norm(place) - 0.5) < 0.01, ruler
 # From the back of the ball to the curve at its front.
