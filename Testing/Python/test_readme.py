@@ -72,6 +72,10 @@ class HowTo(InFolder):
         self.assertEqual(set(ids), {0, 1})
         self.assert_landmarks(names)
         self.assert_pictures(names)
+        # Between the pole and where the page has moved the slice to in the end.
+        heights = vtk_to_numpy(data(names["middle"]).GetPoints().GetData())[:, 2]
+        between = (np.pi/2 + np.arcsin(0.2 / 0.5)) / 2
+        np.testing.assert_allclose(np.arcsin(heights / 0.5), between, atol=0.0005)
         self.assert_table()
         self.assert_lines()
         found = distances(names["near"])
