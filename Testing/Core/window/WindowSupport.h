@@ -60,25 +60,6 @@ inline Extended exactDistance(const Window& w, Extended x, Extended y = 0.0L)
   return w.sigma + std::sqrt(dx * dx + dy * dy);
 }
 
-/// The minimum of a convex function on [lo, hi], by ternary search.
-inline Extended leastOf(const std::function<Extended(Extended)>& f, Extended lo, Extended hi)
-{
-  for (int i = 0; i < 200; ++i)
-  {
-    const Extended a = lo + (hi - lo) / 3.0L;
-    const Extended b = hi - (hi - lo) / 3.0L;
-    (f(a) < f(b) ? hi : lo) = f(a) < f(b) ? b : a;
-  }
-  return f(0.5L * (lo + hi));
-}
-
-/// The length of the shortest path through the window to a point above the halfedge.
-inline Extended exactBentDistance(const Window& w, Extended x, Extended y)
-{
-  return leastOf(
-    [&](Extended t) { return exactDistance(w, t) + std::hypot(x - t, y); }, w.begin, w.end);
-}
-
 /// A window of any kind somewhere on [0, length].
 inline Window randomWindow(double length, Random& random)
 {
