@@ -161,9 +161,7 @@ TEST(Isolines, SmallerThanTheToleranceHaveThreeCornersAtLeast)
 {
   const PlainMesh plain = oneFace();
   const TriangleMesh mesh = engineMesh(plain);
-  geodesic::SourceCurve source;
-  source.points = { enginePoint(mesh, inOneFace(1.0, 1.0)) };
-  source.isCut = { 0 };
+  const geodesic::SourceCurve source = geodesic::pointCurve(enginePoint(mesh, inOneFace(1.0, 1.0)));
   const Isolines isolines = isolinesOf(mesh, { source }, { 0.5 }, 2.0);
   ASSERT_EQ(isolines.lines.size(), 1U);
   EXPECT_TRUE(isolines.lines[0].isClosed());
@@ -262,9 +260,7 @@ TEST(Isolines, RoundTheApexOfAConeSpanItsAngle)
     const PlainMesh plain = fan(sectors, angle, 6);
     const TriangleMesh mesh = engineMesh(plain);
     const std::vector<double> values = { 0.05, 0.5, 0.9 };
-    geodesic::SourceCurve apex;
-    apex.points = { SurfacePoint::atVertex(0) };
-    apex.isCut = { 0 };
+    const geodesic::SourceCurve apex = geodesic::pointCurve(SurfacePoint::atVertex(0));
     const Isolines isolines = isolinesOf(mesh, { apex }, values, 1e-6);
     for (std::size_t i = 0; i < values.size(); ++i)
     {
@@ -425,9 +421,7 @@ TEST(Isolines, BeyondTheLargestDistanceAndOnOtherComponentsAreNone)
 TEST(Isolines, RefuseWrongValuesAndToleranceAndFieldsWithoutWindows)
 {
   const TriangleMesh mesh = engineMesh(octasphere(12));
-  geodesic::SourceCurve point;
-  point.points = { SurfacePoint::atVertex(0) };
-  point.isCut = { 0 };
+  const geodesic::SourceCurve point = geodesic::pointCurve(SurfacePoint::atVertex(0));
   const geodesic::DistanceField field =
     geodesic::solve(mesh, { point }, {}, geodesic::KeepWindows::All);
   const auto draw = [&](const std::vector<double>& values, double tolerance)
@@ -453,20 +447,6 @@ TEST(Isolines, RefuseWrongValuesAndToleranceAndFieldsWithoutWindows)
   // Windows kept for another value are not the ones that this value needs.
   EXPECT_THROW(
     geodesic::drawIsolines(solveForIsolines(mesh, { point }, { 0.9 }), options), geodesic::Error);
-}
-
-TEST(Isolines, StopWhereTheirWatcherAsksForIt)
-{
-  const TriangleMesh mesh = engineMesh(octasphere(12));
-  geodesic::SourceCurve point;
-  point.points = { SurfacePoint::atVertex(0) };
-  point.isCut = { 0 };
-  geodesic::IsolineOptions options;
-  options.values = { 0.5, 1.0 };
-  options.chordTolerance = 1e-3;
-  options.job = Job([](double) { return false; });
-  EXPECT_THROW(geodesic::drawIsolines(solveForIsolines(mesh, { point }, options.values), options),
-    geodesic::Aborted);
 }
 
 class IsolinesOfKinds : public ::testing::TestWithParam<MeshKind>
@@ -523,35 +503,12 @@ TEST_P(IsolinesOfKinds, GrowToTheLeftHaveOnePointAnEdgeAndNeedOnlyTheWindowsKept
 INSTANTIATE_TEST_SUITE_P(Kinds, IsolinesOfKinds, ::testing::ValuesIn(meshKinds()),
   [](const auto& instance) { return std::string(instance.param.name); });
 
-TEST(IsolinesParallel, AreTheSameOnThreads)
-{
-  Random random(11);
-  const PlainMesh plain = bumpySheet(40, 40, 3, 0.6, random);
-  const TriangleMesh mesh = engineMesh(plain);
-  const std::vector<geodesic::SourceCurve> curves =
-    engineCurves(mesh, CurveMaker(plain, random).anySource());
-  const std::vector<double> values = { 1.0, 4.0, 9.0, 16.0 };
-  geodesic::IsolineOptions options;
-  options.values = values;
-  options.chordTolerance = 1e-3;
-  const Isolines one = geodesic::drawIsolines(solveForIsolines(mesh, curves, values), options);
-  geodesic::FrontOptions front;
-  front.job = Job({}, onThreads);
-  options.job = Job({}, onThreads);
-  const Isolines three =
-    geodesic::drawIsolines(solveForIsolines(mesh, curves, values, front), options);
-  EXPECT_FALSE(one.lines.empty());
-  EXPECT_TRUE(placesOf(one) == placesOf(three));
-}
-
 TEST(IsolinesWithoutDirection, AreCountedWhereFacesAreTurned)
 {
   Random random(12);
   const PlainMesh sheet = regularGrid(6, 6);
   const TriangleMesh turned = engineMesh(withFlippedFaces(sheet, random));
-  geodesic::SourceCurve point;
-  point.points = { SurfacePoint::atVertex(0) };
-  point.isCut = { 0 };
+  const geodesic::SourceCurve point = geodesic::pointCurve(SurfacePoint::atVertex(0));
   EXPECT_EQ(isolinesOf(turned, { point }, { 2.7 }, 1e-3).linesWithoutDirection, 1U);
   EXPECT_EQ(isolinesOf(engineMesh(sheet), { point }, { 2.7 }, 1e-3).linesWithoutDirection, 0U);
 }

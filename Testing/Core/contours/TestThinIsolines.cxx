@@ -235,9 +235,8 @@ TEST(ThinIsolines, RoundAPointAreWholeArcsOfItsCircle)
     Strip strip(Thinnest, random);
     strip.plain = withoutFlatFaces(strip.plain).mesh;
     const TriangleMesh mesh = engineMesh(strip.plain);
-    geodesic::SourceCurve source;
-    source.points = { enginePoint(mesh, anyPlace(strip.plain, random)) };
-    source.isCut = { 0 };
+    const geodesic::SourceCurve source =
+      geodesic::pointCurve(enginePoint(mesh, anyPlace(strip.plain, random)));
     const double least = std::max(1e-8 * strip.width, 0.1 * strip.height);
     const double radius = random.chance(0.7)
       ? strip.width * random.uniform(0.05, 0.98)
