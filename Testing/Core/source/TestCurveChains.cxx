@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lengths along curves that are one chain, up to rounding. Which curves are one, the ends of paths
-// show (EndCases).
+// Curves with common ends become one curve, whatever their directions.
 #include "EngineSupport.h"
 
 #include "source/CurveChains.h"
@@ -40,6 +39,27 @@ SourceCurve throughRow(const TriangleMesh& mesh, const std::vector<double>& xs)
   return curve;
 }
 
+}
+
+TEST(CurveChains, ACurveThatRunsAgainstTheChainKeepsWhereItIsCutAndWhereItBends)
+{
+  const TriangleMesh mesh = engineMesh(regularGrid(4, 1));
+  const SourceCurve first = throughRow(mesh, { 0.0, 0.5, 1.0 });
+  SourceCurve second = throughRow(mesh, { 3.0, 2.5, 2.0, 1.5, 1.0 });
+  ASSERT_EQ(second.points.size(), 5U);
+  second.isCut = { 0, 1, 0, 0, 0 };
+  const CurveChains chains(mesh, { first, second });
+  ASSERT_EQ(chains.curves().size(), 1U);
+  const SourceCurve& chain = chains.curves().front();
+  ASSERT_EQ(chain.points.size(), 7U);
+  for (std::size_t i = 0; i < chain.points.size(); ++i)
+  {
+    const geodesic::Vec3 p = position(mesh, chain.points[i]);
+    EXPECT_EQ(p[0], 0.5 * static_cast<double>(i));
+    EXPECT_EQ(chain.isCut[i], p[0] == 2.5 ? 1 : 0) << "at " << p[0];
+  }
+  EXPECT_FALSE(chains.inChain(chains.curveAt(0, 0.5)).isReversed);
+  EXPECT_TRUE(chains.inChain(chains.curveAt(0, 1.5)).isReversed);
 }
 
 // The parameter of a path's end is computed from the path, with roundings.
