@@ -36,6 +36,16 @@ constexpr double Length = 1.0;
 // rounding counts. The worst of 2,000 fields was off by 1.3e-11.
 constexpr double SpikesAccuracy = 1e-10;
 
+double lowest(const geodesic::WindowRange& windows, double x)
+{
+  double result = geodesic::Infinity;
+  for (const Window& w : windows)
+  {
+    result = x >= w.begin && x <= w.end ? std::min(result, w.distance(x)) : result;
+  }
+  return result;
+}
+
 geodesic::FrontOptions onSomeThreads()
 {
   geodesic::FrontOptions options;
@@ -120,6 +130,33 @@ TEST_P(RoughOrThin, DistancesAreThoseOfTheBruteForceSolver)
 
 INSTANTIATE_TEST_SUITE_P(
   Kinds, RoughOrThin, testing::ValuesIn(Kinds), [](const auto& kind) { return kind.param.name; });
+
+TEST(PassedWindows, TellsNothingTooShortAndNoMoreThanAFewWindows)
+{
+  Random random(7);
+  WindowPool pool;
+  WindowListBuilder builder;
+  const auto always = [](Id) { return true; };
+  for (int round = 0; round < 200; ++round)
+  {
+    PassedWindows passed;
+    std::vector<Window> all;
+    for (int i = 0; i < 20; ++i)
+    {
+      const Window window = randomWindow(Length, random);
+      all.push_back(window);
+      passed.add(5, Length, { &window, &window + 1 }, builder, pool, always);
+      ASSERT_LE(passed.at(5).size(), 8U);
+      for (const double x : { 0.11, 0.37, 0.5, 0.83 })
+      {
+        const double truth = lowest({ all.data(), all.data() + all.size() }, x);
+        ASSERT_GE(lowest(passed.at(5), x), truth * (1.0 - 1e-12));
+      }
+    }
+    EXPECT_GT(passed.at(5).size(), 0U);
+    EXPECT_EQ(passed.at(4).size(), 0U);
+  }
+}
 
 TEST(PassedWindows, LetsGoOfWhatIsNotNeeded)
 {

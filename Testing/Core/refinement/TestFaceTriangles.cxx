@@ -6,6 +6,7 @@
 #include "truth/CappedMeshes.h"
 #include "truth/RandomMeshKinds.h"
 
+#include "refinement/FaceTriangles.h"
 #include "refinement/RefinementOutput.h"
 #include "refinement/SolveForRefinement.h"
 
@@ -18,9 +19,30 @@
 #include <string>
 
 using namespace geodesictest;
+using geodesic::FaceTriangles;
 using geodesic::Id;
 using geodesic::Triangle;
 using geodesic::TriangleMesh;
+
+TEST(FaceTriangles, PointsOfOneSideAreNoTriangle)
+{
+  std::array<FaceTriangles::Point, 3> corners;
+  const geodesic::Vec2 places[] = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.3, 0.7 } };
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    corners[k].place = places[k];
+    corners[k].weights = geodesic::cornerWeights(k);
+    corners[k].number = static_cast<Id>(k);
+  }
+  FaceTriangles face(0, corners);
+  FaceTriangles::Point point;
+  point.weights = { 0.5, 0.5, 1e-3 }; // as if rounding had moved it
+  point.place = { 0.5, 1e-3 };
+  point.sides = 1;
+  EXPECT_FALSE(face.isTriangle({ 0, 1, face.addPoint(point) }));
+  EXPECT_TRUE(face.isTriangle({ 0, 1, 2 }));
+  EXPECT_FALSE(face.isTriangle({ 1, 0, 2 }));
+}
 
 // Its neighbours split its edges, and no windows describe its inside: its triangles lie between the
 // points of the edges only.

@@ -194,6 +194,25 @@ TEST(PlaceChoice, OfEquallyGoodPlacesTheFirstAreTaken)
   }
 }
 
+// On the first sheet the points lie in a face, at a vertex and on an edge; on the second at a
+// vertex and in a face twice.
+TEST(PlaceChoice, AClosedPolylineCountsTheDimensionOfItsFirstPlaceOnce)
+{
+  const PlainMesh sheet = geodesictest::regularGrid(1, 1);
+  const TriangleMesh mesh = engineMesh(geodesictest::merged(sheet, sheet));
+  geodesic::MeshComponents components(mesh);
+  const SurfacePoint inside = SurfacePoint::inFace(2, 0.3, 0.3);
+  const std::vector<PossiblePlaces> places = { { SurfacePoint::inFace(0, 0.3, 0.3),
+                                                 SurfacePoint::atVertex(mesh.triangle(2)[0]) },
+    { SurfacePoint::atVertex(mesh.triangle(0)[0]), inside },
+    { SurfacePoint::onEdge(0, 0.5), inside } };
+  for (const ChosenPlaces& c : choosePlaces(mesh, places, true, components, {}))
+  {
+    EXPECT_EQ(c.arrival, 0u);
+    EXPECT_EQ(c.departure, 0u);
+  }
+}
+
 // Of two sheets with the same way to the last point, one has a vertex where the other has none.
 TEST(PlaceChoice, LengthsThatDifferByRoundingTie)
 {
