@@ -117,31 +117,6 @@ MeshPoint anyPlace(const PlainMesh& mesh, Random& random)
   }
 }
 
-/// The side of the rectangle where a coordinate is zero.
-geodesic::SourceCurve sideOf(const TriangleMesh& mesh, std::size_t axis)
-{
-  std::vector<std::pair<double, Id>> vertices;
-  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
-  {
-    if (mesh.point(vertex)[axis] == 0.0)
-    {
-      vertices.emplace_back(mesh.point(vertex)[1 - axis], vertex);
-    }
-  }
-  std::sort(vertices.begin(), vertices.end());
-  geodesic::SourceCurve side;
-  for (const auto& [along, vertex] : vertices)
-  {
-    side.points.push_back(geodesic::SurfacePoint::atVertex(vertex));
-    side.isCut.push_back(0);
-  }
-  for (std::size_t i = 0; i + 1 < side.points.size(); ++i)
-  {
-    side.faces.push_back(geodesic::commonFace(mesh, side.points[i], side.points[i + 1]));
-  }
-  return side;
-}
-
 /// The length that lines cover along an axis, back and forth.
 double wayAlong(const TriangleMesh& mesh, const Isolines& isolines, std::size_t axis)
 {

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <ostream>
 #include <vector>
 
@@ -48,16 +47,16 @@ inline double mergeNeighbours(std::vector<Window>& windows, double edgeLength, d
   return largest;
 }
 
-/// The straight distance of a window to a point above its halfedge.
-inline Extended exactDistance(const Window& w, Extended x, Extended y = 0.0L)
+/// The distance of a window at a place of its halfedge.
+inline Extended exactDistance(const Window& w, Extended x)
 {
   if (w.kind == Window::Kind::Linear)
   {
-    return w.sigma + w.sourceX * x + w.sourceDepth * y;
+    return w.sigma + w.sourceX * x;
   }
   const Extended dx = x - w.sourceX;
-  const Extended dy = y + w.sourceDepth;
-  return w.sigma + std::sqrt(dx * dx + dy * dy);
+  const Extended depth = w.sourceDepth;
+  return w.sigma + std::sqrt(dx * dx + depth * depth);
 }
 
 /// A window of any kind somewhere on [0, length].
