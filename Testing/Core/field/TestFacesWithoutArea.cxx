@@ -9,6 +9,8 @@
 #include "truth/BruteForce.h"
 #include "truth/CappedMeshes.h"
 
+#include "field/NearestSource.h"
+#include "field/SegmentEnvelope.h"
 #include "paths/JoinPoints.h"
 #include "paths/PathsToSource.h"
 #include "source/BoundaryCurves.h"
@@ -29,10 +31,30 @@ using geodesic::TriangleMesh;
 namespace
 {
 
+constexpr double Pi = 3.14159265358979323846;
+
 Vec2 flat(const Vec3& p)
 {
   return { p[0], p[1] };
 }
+
+Vec2 difference(const Vec2& a, const Vec2& b)
+{
+  return { a[0] - b[0], a[1] - b[1] };
+}
+
+double dot(const Vec2& a, const Vec2& b)
+{
+  return a[0] * b[0] + a[1] * b[1];
+}
+
+enum class Side
+{
+  Left,
+  Right,
+  /// Rounding decides.
+  Unsure
+};
 
 /// A polyline in the plane of a flat surface.
 struct FlatLine
@@ -62,17 +84,74 @@ struct FlatLine
     }
     return least;
   }
+
+  /// The side of the line that a point is on: the side of the nearest segment or, at the line's
+  /// points, by angle. A line of one point has only a left-hand side.
+  Side side(const Vec2& p) const
+  {
+    constexpr double Unsure = 1e-5; // well over what a joined line may lie beside this one
+    const double distance = this->distance(p);
+    double left = this->numberOfSegments() == 0 ? 0.0 : 2.0 * Pi; // angle to the nearest segment
+    double right = 2.0 * Pi;
+    std::vector<Vec2> feet;
+    for (std::size_t i = 0; i < this->numberOfSegments(); ++i)
+    {
+      const Vec2 a = this->at(i);
+      const Vec2 along = difference(this->at(i + 1), a);
+      const double t = std::clamp(dot(difference(p, a), along) / dot(along, along), 0.0, 1.0);
+      const Vec2 foot = { a[0] + t * along[0], a[1] + t * along[1] };
+      if (distanceToSegment(p, foot, foot) <= distance + 1e-9)
+      {
+        const Vec2 d = difference(p, foot);
+        const double turn = std::atan2(along[0] * d[1] - along[1] * d[0], dot(along, d));
+        const double fromAlong = turn < 0.0 ? turn + 2.0 * Pi : turn;
+        const double fromBack = std::fmod(fromAlong + Pi, 2.0 * Pi);
+        left = std::min(left, t < 1.0 ? fromAlong : 2.0 * Pi - fromBack);
+        right = std::min(right, t < 1.0 ? 2.0 * Pi - fromAlong : fromBack);
+        feet.push_back(foot);
+      }
+    }
+    const auto isElsewhere = [&feet](const Vec2& foot)
+    { return distanceToSegment(foot, feet.front(), feet.front()) > Unsure; };
+    const bool isUnsure = distance <= Unsure || std::abs(left - right) <= Unsure ||
+      std::any_of(feet.begin(), feet.end(), isElsewhere);
+    return isUnsure ? Side::Unsure : left < right ? Side::Left : Side::Right;
+  }
 };
 
+/// Moves a point that is almost at a corner or on an edge of its face onto it.
+MeshPoint notBesideEdges(MeshPoint point)
+{
+  double sum = 0.0;
+  for (double& weight : point.weights)
+  {
+    weight = weight < 1e-6 ? 0.0 : weight;
+    sum += weight;
+  }
+  for (double& weight : point.weights)
+  {
+    weight /= sum;
+  }
+  return point;
+}
+
 /// Vertices, points on edges and points in faces with area, joined by straight lines.
-FlatLine randomLine(const PlainMesh& mesh, const PlainMesh& conforming, Random& random)
+///
+/// \param mayBeBeside whether some points are within rounding of a vertex or an edge. The engine
+/// may
+///        join these to the line by a piece in any direction, and so decide the side of points
+///        beside the line's ends.
+FlatLine randomLine(
+  const PlainMesh& mesh, const PlainMesh& conforming, Random& random, bool mayBeBeside = true)
 {
   FlatLine line;
   const Index count = random.between(1, 4);
   while (line.points.size() < count)
   {
+    const auto ofFace = [&](const MeshPoint& point)
+    { return position(conforming, mayBeBeside ? point : notBesideEdges(point)); };
     const Vec3 p = random.chance(0.5) ? mesh.points[random.below(mesh.points.size())]
-                                      : position(conforming, randomPoint(conforming, random));
+                                      : ofFace(randomPoint(conforming, random));
     const auto isFar = [&p](const Vec3& q) { return spaceDistance(p, q) > 1e-3; };
     if (std::all_of(line.points.begin(), line.points.end(), isFar))
     {
@@ -258,6 +337,150 @@ TEST(FacesWithoutArea, DistancesAndPathsAcrossThemAreThoseOfThePlane)
     worst = std::max(
       worst, expectStraightDistances(c.engine, c.both.mesh, c.curves, c.source, c.size, random));
     expectStraightPaths(c.engine, c.both.mesh, c.curves, c.source, c.size, random);
+  }
+  std::cout << "worst relative error " << worst << "\n";
+}
+
+namespace
+{
+
+/// Counts the points that get the wrong side of a line.
+class SidesChecker
+{
+public:
+  /// \param line on the mesh, which lies in the plane.
+  void check(const PlainMesh& mesh, const FlatLine& line, Random& random)
+  {
+    const TriangleMesh engine = engineMesh(mesh);
+    const std::vector<SourceCurve> curves = onSurface(engine, line);
+    geodesic::FrontOptions options;
+    options.keepArrivals = true;
+    const geodesic::DistanceField field =
+      geodesic::solve(engine, curves, options, geodesic::KeepWindows::All);
+    geodesic::NearestSource nearest(field, geodesic::ReplicatedPatch(engine), curves);
+    for (Id v = 0; v < engine.numberOfVertices(); ++v)
+    {
+      SCOPED_TRACE("vertex " + std::to_string(v));
+      this->compare(line, flat(mesh.points[v]), nearest.atVertex(v));
+    }
+    for (Index i = 0; i < 30; ++i)
+    {
+      SCOPED_TRACE("point " + std::to_string(i));
+      const SurfacePoint point = enginePoint(engine, randomPoint(mesh, random));
+      this->compare(line, flat(geodesic::position(engine, point)),
+        nearest.of(geodesic::incomingSegmentTo(field, point)));
+    }
+  }
+
+  void report() const
+  {
+    std::cout << this->wrong_ << " of " << this->checked_ << " sides are wrong\n";
+  }
+
+private:
+  void compare(const FlatLine& line, const Vec2& place, const geodesic::Foot& foot)
+  {
+    const Side side = line.side(place);
+    if (side != Side::Unsure)
+    {
+      const bool isRight = side == Side::Right;
+      EXPECT_TRUE(foot.isKnown());
+      EXPECT_EQ(foot.isRight, isRight) << place[0] << ", " << place[1];
+      ++this->checked_;
+      this->wrong_ += !foot.isKnown() || foot.isRight != isRight;
+    }
+  }
+
+  std::size_t checked_ = 0;
+  std::size_t wrong_ = 0;
+};
+
+/// \param hasCaps or the mesh is cut at its T-vertices instead.
+void compareSidesWithPlane(bool hasCaps)
+{
+  SidesChecker checker;
+  for (Random& random : EachSeed(300, 5100))
+  {
+    const CappedMesh both = flatMesh(random);
+    const PlainMesh& mesh = hasCaps ? both.mesh : both.conforming;
+    checker.check(mesh, randomLine(mesh, both.conforming, random, false), random);
+  }
+  checker.report();
+}
+
+} // anonymous namespace
+
+TEST(FacesWithoutArea, SidesOfALineAcrossThemAreThoseOfThePlane)
+{
+  compareSidesWithPlane(true);
+}
+
+TEST(FacesWithoutArea, SidesOfALineOnThatSurfaceWithoutThemAreThoseOfThePlane)
+{
+  compareSidesWithPlane(false);
+}
+
+namespace
+{
+
+/// Compares the envelope along part of a face's edge, or from a point of the face to a corner, with
+/// the plane. \returns the largest error.
+double errorAlongSegment(
+  const geodesic::FaceDistance& face, const PlainMesh& mesh, const FlatLine& source, Random& random)
+{
+  const Index k = random.below(3);
+  std::array<Barycentric, 2> ends = { geodesic::cornerWeights(k), randomWeights(random) };
+  if (random.chance(0.7))
+  {
+    for (Barycentric& end : ends)
+    {
+      const double t = std::round(8.0 * random.uniform()) / 8.0;
+      end = { 0.0, 0.0, 0.0 };
+      end[k] = 1.0 - t;
+      end[(k + 1) % 3] += t;
+    }
+  }
+  const geodesic::Vec2 p = face.inPlane(ends[0]);
+  const geodesic::Vec2 q = face.inPlane(ends[1]);
+  geodesic::SegmentEnvelope envelope;
+  double worst = 0.0;
+  for (const geodesic::Window& w : envelope.along(face, p, q))
+  {
+    for (const double x : { w.begin, 0.5 * (w.begin + w.end), w.end })
+    {
+      const double t = x / norm(q - p);
+      Barycentric place;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        place[i] = ends[0][i] + t * (ends[1][i] - ends[0][i]);
+      }
+      const double truth = source.distance(flat(position(mesh, MeshPoint{ face.face(), place })));
+      worst = std::max({ worst, std::abs(w.distance(x) - truth),
+        std::abs(face.distance(p + t * (q - p)) - truth) });
+    }
+  }
+  return worst;
+}
+
+} // anonymous namespace
+
+// A source on one edge of a face without area lies on the line of its other edges, too: its windows
+// there run to both sides along their halfedge.
+TEST(FacesWithoutArea, DistancesAlongSegmentsOfFacesAreThoseOfThePlane)
+{
+  constexpr double accuracy = 1e-6; // the root of a tie: the line may be beside its points
+  double worst = 0.0;
+  for (Random& random : EachSeed(100, 31600))
+  {
+    const LineOnFlatMesh c(random);
+    const geodesic::DistanceField field = solveKeepingAll(c.engine, c.curves);
+    for (int i = 0; i < 100; ++i)
+    {
+      const geodesic::FaceDistance face(field, random.below(c.engine.numberOfFaces()));
+      const double error = errorAlongSegment(face, c.both.mesh, c.source, random) / c.size;
+      EXPECT_LE(error, accuracy) << "face " << face.face();
+      worst = std::max(worst, error);
+    }
   }
   std::cout << "worst relative error " << worst << "\n";
 }

@@ -43,6 +43,18 @@ public:
   /// Faces at vertex 0 have even numbers, sheet by sheet from the first edge to the last.
   PlainMesh mesh;
 
+  /// The angle at vertex 0 of each of the faces there.
+  double faceAngle() const
+  {
+    const Vec3& p = this->mesh.points[1];
+    const Vec3& q = this->mesh.points[this->stages_ + 2];
+    const Vec3 normal = { p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
+      p[0] * q[1] - p[1] * q[0] };
+    return std::atan2(
+      std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]),
+      p[0] * q[0] + p[1] * q[1] + p[2] * q[2]);
+  }
+
 private:
   Vec3 around(double stage, double radius, double height) const
   {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The first windows of sources where rounding could send rays through another edge; around vertices
-// with many faces; at edges without length. Elsewhere, the distances of whole meshes show them.
+// The first windows of sources: parallel rays at right angles to segments, circular windows from
+// points into their wedges; around vertices with many faces; in faces without area.
 #include "EngineSupport.h"
-#include "Watched.h"
 #include "source/BranchingFan.h"
+#include "truth/AnalyticDistances.h"
 
 #include "Errors.h"
 #include "source/SourceWindows.h"
@@ -18,11 +18,15 @@ using geodesic::Id;
 using geodesic::LeavingWindow;
 using geodesic::makeSourceWindows;
 using geodesic::SourceCurve;
+using geodesic::SourceWindows;
 using geodesic::SurfacePoint;
 using geodesic::TriangleMesh;
+using geodesic::Window;
 
 namespace
 {
+
+constexpr double RightAngle = 1.57079632679489661923;
 
 PlainMesh tetrahedron(Random& random)
 {
@@ -34,6 +38,63 @@ PlainMesh tetrahedron(Random& random)
   }
   mesh.triangles = { { 0, 1, 2 }, { 0, 3, 1 }, { 1, 3, 2 }, { 2, 3, 0 } };
   return mesh;
+}
+
+Vec3 minus(const Vec3& a, const Vec3& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+double times(const Vec3& a, const Vec3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The point in space at x of a window's frame, which runs against the halfedge.
+Vec3 pointAt(const TriangleMesh& mesh, Id halfedge, double x)
+{
+  const Vec3& from = mesh.point(mesh.destination(halfedge));
+  const Vec3& to = mesh.point(mesh.origin(halfedge));
+  const double t = x / mesh.length(halfedge);
+  return { from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]),
+    from[2] + t * (to[2] - from[2]) };
+}
+
+/// As seen from the origin.
+double angleBetween(const Vec3& a, const Vec3& b)
+{
+  const Vec3 d = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+    a[0] * b[1] - a[1] * b[0] };
+  return std::atan2(std::sqrt(times(d, d)), times(a, b));
+}
+
+/// The windows of a kind that contain the place x of a halfedge.
+std::vector<Window> holding(
+  const SourceWindows& sources, Id halfedge, double x, Window::Kind kind, double margin)
+{
+  std::vector<Window> result;
+  for (const LeavingWindow& leaving : sources.windows)
+  {
+    const Window& w = leaving.window;
+    if (leaving.halfedge == halfedge && w.kind == kind && x > w.begin - margin &&
+      x < w.end + margin)
+    {
+      result.push_back(w);
+    }
+  }
+  return result;
+}
+
+SourceCurve inFace(Id face, const std::vector<Barycentric>& points)
+{
+  SourceCurve curve;
+  for (const Barycentric& b : points)
+  {
+    curve.points.push_back(SurfacePoint::inFace(face, b[1], b[2]));
+    curve.isCut.push_back(0);
+  }
+  curve.faces.assign(points.size() - 1, face);
+  return curve;
 }
 
 Barycentric insideWeights(Random& random)
@@ -67,6 +128,46 @@ SourceCurve firstEdge()
   return curve;
 }
 
+}
+
+TEST(SourceWindows, RaysOfASegmentLeaveAtRightAnglesAndNoneIsMissing)
+{
+  Random random(1);
+  std::array<int, 2> seen{};
+  for (int i = 0; i < 200; ++i)
+  {
+    const PlainMesh plain = tetrahedron(random);
+    const TriangleMesh mesh = engineMesh(plain);
+    const Barycentric a = insideWeights(random);
+    const Barycentric b = insideWeights(random);
+    const SourceWindows sources = makeSourceWindows(mesh, { inFace(0, { a, b }) });
+    const Vec3 p = position(plain, { 0, a });
+    const Vec3 d = minus(position(plain, { 0, b }), p);
+    for (Id halfedge = 0; halfedge < 3; ++halfedge)
+    {
+      for (int k = 0; k < 20; ++k)
+      {
+        const double x = mesh.length(halfedge) * (k + 0.5) / 20.0;
+        const Vec3 to = minus(pointAt(mesh, halfedge, x), p);
+        const double t = times(to, d) / times(d, d);
+        const double distance = std::sqrt(std::max(0.0, times(to, to) - t * t * times(d, d)));
+        if (std::abs(t) < 1e-9 || std::abs(t - 1.0) < 1e-9)
+        {
+          continue;
+        }
+        const auto windows = holding(sources, halfedge, x, Window::Kind::Linear, 0.0);
+        const bool beside = t > 0.0 && t < 1.0;
+        ++seen[beside ? 1 : 0];
+        ASSERT_EQ(windows.size(), beside ? 1u : 0u) << "foot at " << t;
+        if (beside)
+        {
+          ASSERT_NEAR(windows[0].distance(x), distance, 1e-14 * 10.0);
+        }
+      }
+    }
+  }
+  EXPECT_GT(seen[0], 1000);
+  EXPECT_GT(seen[1], 1000);
 }
 
 // From nearly along the edge to nearly at a right angle to it. Beyond the point where the segment
@@ -173,6 +274,95 @@ TEST(SourceWindows, RaysOfASegmentNearlyAtARightAngleToAnEdgeStayOnTheirSideOfTh
   EXPECT_GT(leavingOnTheirSide, 0U);
 }
 
+TEST(SourceWindows, APointEmitsIntoTheWedgeBetweenTheNormalsOfItsSegments)
+{
+  Random random(2);
+  std::array<int, 2> seen{};
+  for (int i = 0; i < 200; ++i)
+  {
+    const PlainMesh plain = tetrahedron(random);
+    const TriangleMesh mesh = engineMesh(plain);
+    const std::vector<Barycentric> corners = { insideWeights(random), insideWeights(random),
+      insideWeights(random) };
+    const SourceWindows sources = makeSourceWindows(mesh, { inFace(0, corners) });
+    for (Id halfedge = 0; halfedge < 3; ++halfedge)
+    {
+      for (int k = 0; k < 20; ++k)
+      {
+        const double x = mesh.length(halfedge) * (k + 0.5) / 20.0;
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          const Vec3 p = position(plain, { 0, corners[c] });
+          const Vec3 ray = minus(pointAt(mesh, halfedge, x), p);
+          double largest = -1.0;
+          for (const std::size_t other : { c + 2, c + 4 }) // those before and behind
+          {
+            if (other % 3 != c && (c == 1 || other % 3 == 1))
+            {
+              const Vec3 d = minus(position(plain, { 0, corners[other % 3] }), p);
+              largest = std::max(largest, times(ray, d) / std::sqrt(times(ray, ray) * times(d, d)));
+            }
+          }
+          if (std::abs(largest) < 1e-9)
+          {
+            continue;
+          }
+          const double distance = std::sqrt(times(ray, ray));
+          const auto windows = holding(sources, halfedge, x, Window::Kind::Circular, 0.0);
+          const bool emitted = std::any_of(windows.begin(), windows.end(),
+            [&](const Window& w) { return std::abs(w.distance(x) - distance) < 1e-13; });
+          ++seen[emitted ? 1 : 0];
+          ASSERT_EQ(emitted, largest < 0.0) << "cosine " << largest;
+        }
+      }
+    }
+  }
+  EXPECT_GT(seen[0], 1000);
+  EXPECT_GT(seen[1], 1000);
+}
+
+TEST(SourceWindows, OnABranchingFanTheWedgeBeginsAtTheRightAngleOnEverySheet)
+{
+  for (const Index stages : { 5u, 26u, 120u, 1500u })
+  {
+    const BranchingFan fan(stages, 3.0);
+    const TriangleMesh mesh = engineMesh(fan.mesh);
+    const SourceWindows sources = makeSourceWindows(mesh, { firstEdge() });
+    const double angle = fan.faceAngle();
+    EXPECT_EQ(fan.mesh.points[0], (Vec3{ 0, 0, 0 }));
+    std::vector<double> from(fan.mesh.triangles.size(), geodesic::Infinity);
+    for (const LeavingWindow& leaving : sources.windows)
+    {
+      const Window& w = leaving.window;
+      const Id face = TriangleMesh::faceOf(leaving.halfedge);
+      if (w.kind != Window::Kind::Circular || mesh.opposite(leaving.halfedge) != 0)
+      {
+        continue; // the parallel rays, and those of the segment's other end
+      }
+      ASSERT_EQ(from[face], geodesic::Infinity) << "one window a face";
+      EXPECT_EQ(w.begin, 0.0);
+      // The face's first corner is vertex 0, its second the one nearer to the segment; the frame
+      // runs against the halfedge.
+      from[face] = angleBetween(
+        mesh.point(mesh.origin(leaving.halfedge)), pointAt(mesh, leaving.halfedge, w.end));
+    }
+    for (Index face = 0; face < fan.mesh.triangles.size(); face += 2)
+    {
+      const Index place = face / 2 % (2 * stages); // in its sheet
+      const double begin = RightAngle - place * angle;
+      if (begin >= angle - 1e-9)
+      {
+        EXPECT_EQ(from[face], geodesic::Infinity) << "face " << face << " of " << stages;
+      }
+      else
+      {
+        EXPECT_NEAR(from[face], std::max(begin, 0.0), 1e-14 * stages)
+          << "face " << face << " of " << stages;
+      }
+    }
+  }
+}
+
 TEST(SourceWindows, ABranchingFanHasTheDistancesOfEitherSheet)
 {
   // A path that changes sheets keeps its length if it is folded into one sheet.
@@ -191,6 +381,51 @@ TEST(SourceWindows, ABranchingFanHasTheDistancesOfEitherSheet)
     const std::size_t folded = v < common + sheet ? v : v - sheet;
     EXPECT_NEAR(distances[v], truth.vertices[folded], 1e-13) << "vertex " << v;
   }
+}
+
+TEST(SourceWindows, SeveralCurvesThatMeetInAVertexBoundItsWedgeTogether)
+{
+  // Along the axes of a regular grid from its middle: no circular rays remain.
+  const PlainMesh grid = regularGrid(4, 4);
+  const TriangleMesh mesh = engineMesh(grid);
+  std::vector<SourceCurve> curves;
+  for (const Index to : { 13u, 11u, 7u, 17u })
+  {
+    SourceCurve curve;
+    curve.points = { SurfacePoint::atVertex(12), SurfacePoint::atVertex(to) };
+    curve.faces = { commonFace(mesh, curve.points[0], curve.points[1]) };
+    curve.isCut = { 0, 0 };
+    ASSERT_NE(curve.faces[0], geodesic::NoId);
+    curves.push_back(curve);
+    const SourceWindows sources = makeSourceWindows(mesh, curves);
+    double emitted = 0.0; // the angle that vertex 12 emits into
+    for (const LeavingWindow& leaving : sources.windows)
+    {
+      const Window& w = leaving.window;
+      if (w.kind == Window::Kind::Circular && mesh.opposite(leaving.halfedge) == 12)
+      {
+        emitted += std::atan2(w.end - w.sourceX, w.sourceDepth) -
+          std::atan2(w.begin - w.sourceX, w.sourceDepth);
+      }
+    }
+    // a half disc behind one end, a quarter between two at a right angle behind both, then nothing
+    const double expected = curves.size() == 1 ? 2.0 * RightAngle : 0.0;
+    EXPECT_NEAR(emitted, expected, 1e-12) << curves.size() << " curves";
+  }
+}
+
+TEST(SourceWindows, ASourceOnTheLongEdgeOfAFaceWithoutAreaShinesThroughIt)
+{
+  // Vertex 2 lies on the edge between 0 and 1 of a face that has no area.
+  const PlainMesh plain = { { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 }, { 1.2, -1, 0 }, { 1, 1, 0 } },
+    { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 2, 4 }, { 2, 1, 4 } } };
+  const TriangleMesh mesh = geodesictest::cleanedEngineMesh(plain);
+  SourceCurve point;
+  point.points = { SurfacePoint::atVertex(2) };
+  point.isCut = { 0 };
+  const std::vector<double> distances = geodesic::solve(mesh, { point }).vertexDistances();
+  EXPECT_NEAR(distances[3], std::hypot(0.2, 1.0), 1e-14);
+  EXPECT_NEAR(distances[4], 1.0, 1e-15);
 }
 
 // Points whose distances are less than the root of the smallest number: the length of each edge
@@ -235,7 +470,65 @@ TEST(SourceWindows, ASegmentThatEndsSomeRoundingsBesideAVertexIsASourceFromThere
 TEST(SourceWindows, AWatcherCanStopTheWorkAroundOneVertex)
 {
   const TriangleMesh mesh = engineMesh(BranchingFan(3000, 3.0).mesh);
-  expectWatched(2,
-    [&](const geodesic::Job& job)
-    { EXPECT_FALSE(makeSourceWindows(mesh, { firstEdge() }, job).windows.empty()); });
+  std::vector<double> told;
+  const SourceWindows all = makeSourceWindows(mesh, { firstEdge() },
+    geodesic::Job(
+      [&](double done)
+      {
+        told.push_back(done);
+        return true;
+      }));
+  EXPECT_FALSE(all.windows.empty());
+  ASSERT_GE(told.size(), 2u);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GE(told.front(), 0.0);
+  EXPECT_LE(told.back(), 1.0);
+  EXPECT_THROW(
+    makeSourceWindows(mesh, { firstEdge() }, geodesic::Job([](double) { return false; })),
+    geodesic::Aborted);
+}
+
+TEST(SourceWindows, TheWindowOfAVertexHasItsDistances)
+{
+  Random random(3);
+  for (int i = 0; i < 50; ++i)
+  {
+    const TriangleMesh mesh = engineMesh(tetrahedron(random));
+    for (Id corner = 0; corner < mesh.numberOfHalfedges(); ++corner)
+    {
+      const LeavingWindow leaving = geodesic::vertexWindow(mesh, corner, 0.25);
+      EXPECT_EQ(leaving.halfedge, TriangleMesh::nextInFace(corner));
+      for (const double t : { 0.0, 0.4, 1.0 })
+      {
+        const double x = t * mesh.length(leaving.halfedge);
+        EXPECT_NEAR(leaving.window.distance(x),
+          0.25 + spaceDistance(mesh.point(mesh.origin(corner)), pointAt(mesh, leaving.halfedge, x)),
+          1e-14);
+      }
+    }
+  }
+}
+
+TEST(SourceInFace, TheNearestPointIsOnTheSourceAndAtTheLeastDistance)
+{
+  Random random(4);
+  for (int i = 0; i < 300; ++i)
+  {
+    const PlainMesh plain = tetrahedron(random);
+    const TriangleMesh mesh = engineMesh(plain);
+    const Barycentric a = randomWeights(random);
+    const Barycentric b = random.chance(0.2) ? a : randomWeights(random);
+    const Barycentric p = randomWeights(random);
+    const geodesic::SourceInFace source = { 2, a, b };
+    const Vec3 place = position(plain, { 2, p });
+    const Vec3 from = position(plain, { 2, a });
+    const Vec3 along = minus(position(plain, { 2, b }), from);
+    const double squared = times(along, along);
+    const double t =
+      squared > 0.0 ? std::clamp(times(minus(place, from), along) / squared, 0.0, 1.0) : 0.0;
+    const Vec3 nearest = { from[0] + t * along[0], from[1] + t * along[1], from[2] + t * along[2] };
+    EXPECT_NEAR(distanceToSource(mesh, source, p), spaceDistance(place, nearest), 1e-13);
+    EXPECT_NEAR(
+      spaceDistance(position(plain, { 2, nearestOnSource(mesh, source, p) }), nearest), 0.0, 1e-7);
+  }
 }

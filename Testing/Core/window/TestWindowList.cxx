@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where windows of a list meet and are one, up to rounding. That a list is the lower envelope of
-// its windows, the distances of whole meshes show.
+// The list of a halfedge is the lower envelope of all appended windows.
 #include "window/WindowSupport.h"
 
 #include "Tolerance.h"
@@ -16,6 +15,172 @@ namespace
 
 constexpr double Length = 2.0;
 
+std::vector<Window> someWindows(Random& random)
+{
+  std::vector<Window> windows;
+  for (Index i = random.between(1, 8); i > 0; --i)
+  {
+    windows.push_back(randomWindow(Length, random));
+  }
+  // some that begin or end where another window does
+  for (Index i = random.below(3); i > 0; --i)
+  {
+    Window w = windows[random.below(windows.size())];
+    w.sourceX = w.isLinear() ? -w.sourceX : w.sourceX + 0.1;
+    w.sigma += random.uniform(-0.1, 0.1);
+    w.end = random.chance(0.5) ? w.end : 0.5 * (w.begin + w.end);
+    windows.push_back(w);
+  }
+  return windows;
+}
+
+Extended least(const std::vector<Window>& windows, Extended x)
+{
+  Extended result = geodesic::Infinity;
+  for (const Window& w : windows)
+  {
+    result = x >= w.begin && x <= w.end ? std::min(result, exactDistance(w, x)) : result;
+  }
+  return result;
+}
+
+void expectLowerEnvelope(const std::vector<Window>& appended, const std::vector<Window>& list)
+{
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    ASSERT_GT(list[i].end, list[i].begin);
+    ASSERT_TRUE(i == 0 || list[i - 1].end <= list[i].begin) << "windows overlap";
+  }
+  constexpr int samples = 400;
+  for (int k = 0; k <= samples; ++k)
+  {
+    const Extended x = Length * (k + 0.37L) / (samples + 1);
+    const Extended truth = least(appended, x);
+    const Extended value = least(list, x);
+    if (truth == geodesic::Infinity)
+    {
+      ASSERT_EQ(value, geodesic::Infinity) << "at " << static_cast<double>(x);
+      continue;
+    }
+    ASSERT_NEAR(
+      static_cast<double>(value - truth), 0.0, 1e-11 * (Length + static_cast<double>(truth)))
+      << "at " << static_cast<double>(x);
+  }
+}
+
+}
+
+TEST(WindowList, IsTheLowerEnvelopeInAnyOrderOfAppending)
+{
+  Random random(1);
+  WindowListBuilder builder;
+  for (int i = 0; i < 2000; ++i)
+  {
+    SCOPED_TRACE(i);
+    std::vector<Window> windows = someWindows(random);
+    if (random.chance(0.5))
+    {
+      std::sort(windows.begin(), windows.end(),
+        [](const Window& a, const Window& b) { return a.begin < b.begin; });
+    }
+    builder.reset(Length);
+    for (const Window& w : windows)
+    {
+      builder.append(w);
+    }
+    expectLowerEnvelope(windows, builder.windows());
+    if (HasFatalFailure())
+    {
+      return;
+    }
+  }
+}
+
+TEST(WindowList, OfTwoListsIsTheLowerEnvelopeOfBoth)
+{
+  Random random(2);
+  std::size_t longest = 0;
+  for (int i = 0; i < 1000; ++i)
+  {
+    SCOPED_TRACE(i);
+    std::vector<Window> both;
+    // side by side, overlapping, or one of them empty
+    const double split = random.uniform(0.0, 1.5);
+    const auto listWithin = [&](double lo, double hi, Index count)
+    {
+      WindowListBuilder list;
+      list.reset(Length);
+      for (; count > 0; --count)
+      {
+        Window w = randomWindow(Length, random);
+        w.begin = lo + (hi - lo) * random.uniform(0.0, 0.9);
+        w.end = w.begin + 0.1 * (hi - lo) * random.uniform(0.1, 1.0);
+        list.append(w);
+      }
+      both.insert(both.end(), list.windows().begin(), list.windows().end());
+      longest = std::max(longest, list.windows().size());
+      return list;
+    };
+    const WindowListBuilder first =
+      listWithin(0.0, random.chance(0.5) ? split : Length, random.below(30));
+    const WindowListBuilder second =
+      listWithin(random.chance(0.5) ? split : 0.0, Length, random.below(30));
+    WindowListBuilder builder;
+    builder.reset(Length);
+    builder.appendLists(first.range(), second.range());
+    expectLowerEnvelope(both, builder.windows());
+    if (HasFatalFailure())
+    {
+      return;
+    }
+  }
+  EXPECT_GT(longest, 12u);
+}
+
+TEST(WindowList, WhereOthersAreLowerAWindowIsLeftOut)
+{
+  Random random(3);
+  for (int i = 0; i < 1000; ++i)
+  {
+    SCOPED_TRACE(i);
+    WindowListBuilder others;
+    others.reset(Length);
+    std::vector<Window> appended;
+    for (const Window& w : someWindows(random))
+    {
+      others.append(w);
+      appended.push_back(w);
+    }
+    appended.push_back(randomWindow(Length, random));
+    WindowListBuilder builder;
+    builder.reset(Length);
+    builder.appendWhereLower(appended.back(), others.range());
+    // What is left is nowhere higher than the others, and with them the envelope of all.
+    std::vector<Window> left = builder.windows();
+    for (const Window& part : left)
+    {
+      const double middle = 0.5 * (part.begin + part.end);
+      ASSERT_LE(static_cast<double>(exactDistance(part, middle)),
+        (1.0 + 1e-11) * static_cast<double>(least(others.windows(), middle)));
+    }
+    WindowListBuilder all;
+    all.reset(Length);
+    all.appendLists(others.range(), builder.range());
+    expectLowerEnvelope(appended, all.windows());
+    if (HasFatalFailure())
+    {
+      return;
+    }
+  }
+}
+
+TEST(WindowList, ResetForgetsTheListBefore)
+{
+  WindowListBuilder builder;
+  builder.reset(1.0);
+  builder.append(circularWindow(0.0, 1.0, 0.5, 1.0));
+  builder.reset(1.0);
+  EXPECT_EQ(builder.range().size(), 0u);
 }
 
 TEST(WindowList, WindowsTooNarrowForTheirEndsAreLeftOut)
@@ -121,22 +286,5 @@ TEST(WindowList, DifferentPencilsStayTwo)
     builder.append(left);
     builder.appendOfOther(other);
     EXPECT_EQ(builder.windows().size(), 2u) << other;
-  }
-}
-
-TEST(Window, TwoDistancesAtOnceHaveTheBitsOfOneAfterTheOther)
-{
-  Random random(9);
-  for (int i = 0; i < 500; ++i)
-  {
-    const Window w = randomWindow(1.0, random);
-    const double x = random.uniform(w.begin, w.end);
-    const double y = random.uniform(w.begin, w.end);
-    const geodesic::TwoDoubles distances = w.distances({ x, y });
-    EXPECT_EQ(distances.first(), w.distance(x)) << w;
-    EXPECT_EQ(distances.second(), w.distance(y)) << w;
-    const geodesic::TwoDoubles directions = w.endDirections();
-    EXPECT_EQ(directions.first(), w.direction(w.begin).x) << w;
-    EXPECT_EQ(directions.second(), w.direction(w.end).x) << w;
   }
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <ostream>
 #include <vector>
 
@@ -47,16 +48,35 @@ inline double mergeNeighbours(std::vector<Window>& windows, double edgeLength, d
   return largest;
 }
 
-/// The distance of a window at a place of its halfedge.
-inline Extended exactDistance(const Window& w, Extended x)
+/// The straight distance of a window to a point above its halfedge.
+inline Extended exactDistance(const Window& w, Extended x, Extended y = 0.0L)
 {
   if (w.kind == Window::Kind::Linear)
   {
-    return w.sigma + w.sourceX * x;
+    return w.sigma + w.sourceX * x + w.sourceDepth * y;
   }
   const Extended dx = x - w.sourceX;
-  const Extended depth = w.sourceDepth;
-  return w.sigma + std::sqrt(dx * dx + depth * depth);
+  const Extended dy = y + w.sourceDepth;
+  return w.sigma + std::sqrt(dx * dx + dy * dy);
+}
+
+/// The minimum of a convex function on [lo, hi], by ternary search.
+inline Extended leastOf(const std::function<Extended(Extended)>& f, Extended lo, Extended hi)
+{
+  for (int i = 0; i < 200; ++i)
+  {
+    const Extended a = lo + (hi - lo) / 3.0L;
+    const Extended b = hi - (hi - lo) / 3.0L;
+    (f(a) < f(b) ? hi : lo) = f(a) < f(b) ? b : a;
+  }
+  return f(0.5L * (lo + hi));
+}
+
+/// The length of the shortest path through the window to a point above the halfedge.
+inline Extended exactBentDistance(const Window& w, Extended x, Extended y)
+{
+  return leastOf(
+    [&](Extended t) { return exactDistance(w, t) + std::hypot(x - t, y); }, w.begin, w.end);
 }
 
 /// A window of any kind somewhere on [0, length].
