@@ -103,10 +103,8 @@ std::vector<Kind> Kinds()
 
 vtkSmartPointer<vtkDataObject> TwoBlocks()
 {
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Square(4));
-  auto other = Square(4);
-  MovePoints(other, [](const Point& p) { return Point{ p[0] + 1.0, p[1], p[2] }; });
+  const auto blocks = Blocks({ Square(4) });
+  const auto other = Moved(Square(4), MovedBy(1.0));
   blocks->SetBlock(2, other); // block 1 is null
   return blocks.Get();
 }
@@ -198,8 +196,8 @@ void CheckGoesOn(Check& check, const Kind& kind, vtkDataObject* surface, const s
     check.That(Contains(filter->GetErrorMessage(), isGood ? "" : "Source Type") &&
         filter->GetErrorMessage().empty() == isGood,
       name + ": GetErrorMessage() " + when);
-    check.Equal(static_cast<double>(filter->GetErrorCode()),
-      isGood ? vtkErrorCode::NoError : vtkErrorCode::UserError, name + ": error code " + when);
+    check.Equal(filter->GetErrorCode(), isGood ? vtkErrorCode::NoError : vtkErrorCode::UserError,
+      name + ": error code " + when);
     for (int port = 0; port < filter->GetNumberOfOutputPorts() && !isGood; ++port)
     {
       check.That(IsEmpty(filter->GetOutputDataObject(port)),

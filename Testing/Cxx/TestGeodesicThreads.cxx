@@ -14,17 +14,13 @@ namespace
 
 vtkSmartPointer<vtkPolyData> Ellipsoid()
 {
-  return ChangedSphere(150, 100,
-    [](const Point& p) {
-      return Point{ p[0] + 0.02 * std::sin(20.0 * p[1]), 0.6 * p[1], 1.7 * p[2] };
-    });
+  return WavySphere(150, 100);
 }
 
 vtkSmartPointer<vtkPolyData> Run(vtkPolyData* surface, bool approximate, bool refine)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(Polyline({ { 0.4, 0.1, 0.2 }, { 0.1, 0.3, 0.3 }, { -0.3, 0.2, 0.1 } }));
+  const auto filter =
+    RefinedField(surface, Polyline({ { 0.4, 0.1, 0.2 }, { 0.1, 0.3, 0.3 }, { -0.3, 0.2, 0.1 } }));
   filter->SetAccuracy(approximate ? 1 : 0);
   filter->SetRefineMesh(refine);
   filter->GenerateSourceAngleOn();
