@@ -8,6 +8,7 @@
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkCutter.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
@@ -16,6 +17,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -27,6 +29,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <ctime>
 #include <functional>
 #include <initializer_list>
@@ -66,8 +69,11 @@ public:
   /// Infinity is near to itself alone, NaN to nothing.
   void Near(double actual, double expected, double tolerance, const std::string& what)
   {
-    this->That(actual == expected || std::abs(actual - expected) <= tolerance,
-      what + ": " + std::to_string(actual) + " instead of " + std::to_string(expected));
+    if (!(actual == expected || std::abs(actual - expected) <= tolerance))
+    {
+      this->That(
+        false, what + ": " + std::to_string(actual) + " instead of " + std::to_string(expected));
+    }
   }
   /// To be returned by the test.
   int Result() const { return this->Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE; }
@@ -112,7 +118,7 @@ public:
     this->Clear();
     this->Filter->Update();
   }
-  /// All of these run the filter. All words have to stand in the message.
+  /// Each of these runs the filter. All words have to stand in the message.
   void ExpectError(Check& check, const std::vector<std::string>& words, const std::string& what)
   {
     this->Update();
@@ -156,7 +162,7 @@ private:
   vtkNew<vtkTest::ErrorObserver> ExecutiveObserver;
 };
 
-/// \returns its warnings.
+/// Runs a filter, which must not fail. \returns its warnings.
 inline std::string RunWithoutError(Check& check, vtkAlgorithm* filter, const std::string& what)
 {
   Messages messages(filter);
@@ -164,7 +170,7 @@ inline std::string RunWithoutError(Check& check, vtkAlgorithm* filter, const std
   return messages.Warning();
 }
 
-/// A filter with its inputs; a distance field refines the mesh.
+/// A filter with its inputs. By default a distance field refines the mesh.
 template <typename Filter>
 vtkSmartPointer<Filter> FilterOn(vtkDataObject* surface, vtkDataObject* source)
 {
@@ -180,7 +186,7 @@ inline vtkSmartPointer<vtkGeodesicDistanceField> RefinedField(
   return FilterOn<vtkGeodesicDistanceField>(surface, source);
 }
 
-/// Of the points of the surface.
+/// A distance field at the points of the surface alone.
 inline vtkSmartPointer<vtkGeodesicDistanceField> PlainField(
   vtkDataObject* surface, vtkDataObject* source)
 {
@@ -887,6 +893,46 @@ inline void CheckDistances(Check& check, vtkGeodesicDistanceField* filter, const
   }
   check.That(worst <= tolerance * largest,
     what + ": wrong by " + std::to_string(worst / largest) + " of the largest distance");
+}
+
+/// Checks the distances at all points of a data set, infinity included.
+inline void CheckTruth(Check& check, vtkPolyData* output, const Distance& truth,
+  const std::string& what, double tolerance = 1e-12)
+{
+  vtkDataArray* distances = output->GetPointData()->GetArray("GeodesicDistance");
+  check.That(distances && distances->GetNumberOfTuples() == output->GetNumberOfPoints(),
+    what + ": a distance at every point");
+  for (vtkIdType i = 0; distances && i < output->GetNumberOfPoints(); ++i)
+  {
+    check.Near(distances->GetTuple1(i), truth(PointAt(output, i)), tolerance,
+      what + ", point " + std::to_string(i));
+  }
+}
+
+/// Bit for bit.
+inline bool AreSame(vtkDataArray* a, vtkDataArray* b)
+{
+  return a == b ||
+    (a && b && a->GetDataType() == b->GetDataType() &&
+      a->GetNumberOfValues() == b->GetNumberOfValues() &&
+      a->GetNumberOfComponents() == b->GetNumberOfComponents() &&
+      (a->GetNumberOfValues() == 0 ||
+        std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+          static_cast<std::size_t>(a->GetNumberOfValues() * a->GetDataTypeSize())) == 0));
+}
+
+/// A plane section, as lines of two points.
+inline vtkSmartPointer<vtkPolyData> Section(
+  vtkPolyData* surface, const Point& normal, const Point& origin)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(normal.data());
+  plane->SetOrigin(origin.data());
+  vtkNew<vtkCutter> slice;
+  slice->SetInputData(surface);
+  slice->SetCutFunction(plane);
+  slice->Update();
+  return slice->GetOutput();
 }
 
 inline void CheckOutputsEmpty(

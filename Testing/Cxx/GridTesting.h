@@ -268,17 +268,6 @@ private:
   GridAndPolyData Surface;
 };
 
-inline bool AreSame(vtkDataArray* a, vtkDataArray* b)
-{
-  return a == b ||
-    (a && b && a->GetDataType() == b->GetDataType() &&
-      a->GetNumberOfValues() == b->GetNumberOfValues() &&
-      a->GetNumberOfComponents() == b->GetNumberOfComponents() &&
-      (a->GetNumberOfValues() == 0 ||
-        std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
-          static_cast<std::size_t>(a->GetNumberOfValues() * a->GetDataTypeSize())) == 0));
-}
-
 /// "OriginalCellIds" of the grid's output are the grid's cells, which "number" of the other is.
 inline void CompareArrays(
   Check& check, vtkFieldData* ofGrid, vtkFieldData* ofPolyData, const std::string& what)

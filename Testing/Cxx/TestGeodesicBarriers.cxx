@@ -152,23 +152,6 @@ void CheckRandomMeshes(Check& check)
   }
 }
 
-/// Distances at all points are the truth's, infinity included.
-void CheckTruth(Check& check, vtkPolyData* output, const Distance& truth, const std::string& what)
-{
-  double worst = 0.0;
-  bool areInfinite = true;
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    const Point p = PointAt(output, i);
-    const double expected = truth(p);
-    const double actual = PointValue(output, "GeodesicDistance", i);
-    areInfinite = areInfinite && std::isinf(expected) == std::isinf(actual);
-    worst = std::isinf(expected) ? worst : std::max(worst, std::abs(actual - expected));
-  }
-  check.That(areInfinite, what + ": points inside barriers, and no others, are not reached");
-  check.That(worst <= 1e-12, what + ": wrong by " + std::to_string(worst));
-}
-
 const Point Source{ 0.125, 0.1875, 0 };
 
 void CheckWall(Check& check)

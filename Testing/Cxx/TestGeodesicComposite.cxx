@@ -26,20 +26,10 @@ void CheckBlocks(Check& check, vtkDataObject* output, std::size_t expectedBlocks
 {
   const std::vector<vtkPolyData*> blocks = LeavesOf(output);
   check.Equal(blocks.size(), expectedBlocks, what + ": blocks with data");
-  double worst = 0.0;
   for (vtkPolyData* block : blocks)
   {
-    vtkDataArray* distances = block->GetPointData()->GetArray("GeodesicDistance");
-    check.That(distances && distances->GetNumberOfTuples() == block->GetNumberOfPoints(),
-      what + ": a distance at every point of a block");
-    for (vtkIdType i = 0; distances && i < block->GetNumberOfPoints(); ++i)
-    {
-      const Point p = PointAt(block, i);
-      const double error = std::abs(distances->GetTuple1(i) - truth(p));
-      worst = error <= worst ? worst : error;
-    }
+    CheckTruth(check, block, truth, what, tolerance);
   }
-  check.That(worst <= tolerance, what + ": wrong by " + std::to_string(worst));
 }
 
 const std::vector<Point> Line = { { 0.2, 0.3, 0 }, { 0.4, 0.7, 0 } };
@@ -350,12 +340,7 @@ void CheckErrors(Check& check)
   {
     filter->SetInputDataObject(0, surface);
     filter->SetSourceData(source);
-    messages.Update();
-    for (const std::string& word : words)
-    {
-      check.That(
-        Contains(messages.Error(), word), name + " says \"" + word + "\": " + messages.Error());
-    }
+    messages.ExpectError(check, words, name);
     for (vtkPolyData* leaf : LeavesOf(filter->GetOutputDataObject(0)))
     {
       check.Equal(leaf->GetNumberOfPoints(), 0.0, name + ": no points");

@@ -67,18 +67,6 @@ void SetUp(vtkGeodesicContour* filter, vtkPolyData* surface, vtkPolyData* source
   }
 }
 
-void CheckPointsAtValues(
-  Check& check, vtkPolyData* output, const Distance& truth, const std::string& what)
-{
-  double worst = 0.0;
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    const Point p = PointAt(output, i);
-    worst = std::max(worst, std::abs(truth(p) - PointValue(output, "GeodesicDistance", i)));
-  }
-  check.That(worst <= 1e-12, what + ": points are wrong by " + std::to_string(worst));
-}
-
 void CheckCircles(Check& check)
 {
   vtkNew<vtkGeodesicContour> filter;
@@ -108,7 +96,7 @@ void CheckCircles(Check& check)
       (a[0] - center[0]) * (b[1] - center[1]) - (a[1] - center[1]) * (b[0] - center[0]) < 0,
       "the distance grows to the left");
   }
-  CheckPointsAtValues(check, output, DistanceTo({ center }), "circles");
+  CheckTruth(check, output, DistanceTo({ center }), "circles");
   filter->SetChordTolerance(0.01);
   filter->Update();
   const vtkIdType coarse = filter->GetOutput()->GetNumberOfPoints();
@@ -209,7 +197,7 @@ void CheckBoundary(Check& check)
     check.That(line.IsClosed() && std::abs(line.Length - 4.0 * (1.0 - 2.0 * line.Value)) < 1e-12,
       "a smaller square");
   }
-  CheckPointsAtValues(check, filter->GetOutput(), DistanceToBoundaryOfSquare, "squares");
+  CheckTruth(check, filter->GetOutput(), DistanceToBoundaryOfSquare, "squares");
 }
 
 // Two halves that touch are one surface, and lines go on from one to the other.

@@ -26,6 +26,14 @@ void Draw(DrawnField* field, const std::vector<Point>& curve)
   }
 }
 
+vtkSmartPointer<DrawnField> Drawn(vtkPolyData* surface, const std::vector<Point>& curve)
+{
+  auto field = vtkSmartPointer<DrawnField>::New();
+  field->SetInputData(surface);
+  Draw(field, curve);
+  return field;
+}
+
 std::vector<Point> Closed(std::vector<Point> curve)
 {
   curve.push_back(curve.front());
@@ -34,10 +42,8 @@ std::vector<Point> Closed(std::vector<Point> curve)
 
 void CheckCurves(Check& check)
 {
-  vtkNew<DrawnField> field;
-  field->SetInputData(Square(6));
   const std::vector<Point> bent = { { 0.2, 0.1, 0 }, { 0.9, 0.3, 0 }, { 0.4, 0.8, 0 } };
-  Draw(field, bent);
+  const auto field = Drawn(Square(6), bent);
   field->Update();
   CheckDistances(check, field, DistanceTo(bent), "open");
 
@@ -71,9 +77,7 @@ void CheckCurves(Check& check)
 
 void CheckExecutesWhenTheCurveChanges(Check& check)
 {
-  vtkNew<DrawnField> field;
-  field->SetInputData(Square(4));
-  Draw(field, { { 0, 0.5, 0 }, { 1, 0.5, 0 } });
+  const auto field = Drawn(Square(4), { { 0, 0.5, 0 }, { 1, 0.5, 0 } });
   int executions = 0;
   const Listener listener(field, vtkCommand::EndEvent, [&executions]() { ++executions; });
   field->Update();
@@ -92,9 +96,7 @@ void CheckExecutesWhenTheCurveChanges(Check& check)
 /// It is put onto the surface, but the user is told.
 void CheckFarCurve(Check& check)
 {
-  vtkNew<DrawnField> field;
-  field->SetInputData(Square(4));
-  Draw(field, { { 0.25, -3, 7 }, { 0.75, 0.5, 2 } });
+  const auto field = Drawn(Square(4), { { 0.25, -3, 7 }, { 0.75, 0.5, 2 } });
   Messages(field).ExpectWarning(
     check, { "up to 7.61577 away from the surface" }, "a far curve is told");
   CheckDistances(check, field, DistanceTo({ { 0.25, 0, 0 }, { 0.75, 0.5, 0 } }), "a far curve");
@@ -104,9 +106,7 @@ void CheckFarCurve(Check& check)
 /// Handles that are dragged beside the surface go onto it without a word.
 void CheckCurveBeside(Check& check)
 {
-  vtkNew<DrawnField> field;
-  field->SetInputData(Square(4));
-  Draw(field, { { 0.25, 0.25, 0 }, { 0.75, 0.5, 0.5 } });
+  const auto field = Drawn(Square(4), { { 0.25, 0.25, 0 }, { 0.75, 0.5, 0.5 } });
   Messages(field).ExpectNoWarning(check, "a curve beside");
   check.Equal(field->GetSourceSnapDistance(), 0.5, "how far it was beside");
 }
@@ -147,9 +147,7 @@ void CheckLength(Check& check)
 void CheckPointsOnly(Check& check)
 {
   const std::vector<Point> points = { { 0.125, 0.25, 0 }, { 0.875, 0.5, 0 }, { 0.5, 1, 0 } };
-  vtkNew<DrawnField> field;
-  field->SetInputData(Square(4));
-  Draw(field, points);
+  const auto field = Drawn(Square(4), points);
   field->CurveClosedOn();
   field->GenerateSourceIdsOn();
   field->Update();

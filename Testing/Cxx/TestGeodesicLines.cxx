@@ -9,9 +9,7 @@
 #include "truth/RandomMeshKinds.h"
 
 #include "vtkCellType.h"
-#include "vtkCutter.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkPlane.h"
 #include "vtkUnstructuredGrid.h"
 
 using namespace GeodesicTesting;
@@ -204,17 +202,11 @@ void CheckSections(Check& check)
 {
   const geodesictest::PlainMesh mesh = geodesictest::torus(12, 30, 3.0);
   const auto torus = Mesh(mesh.points, mesh.triangles);
-  vtkNew<vtkPlane> plane;
-  vtkNew<vtkCutter> slice;
-  slice->SetInputData(torus);
-  slice->SetCutFunction(plane);
   std::vector<Segment> lines;
   for (const Point& normal : { Point{ 1, 0.1, 0.02 }, Point{ 0.1, -1, 0.3 } })
   {
-    plane->SetNormal(normal.data());
-    plane->SetOrigin(0.0123, 0.0217, 0.0312);
-    slice->Update();
-    const std::vector<Segment> more = SegmentsOf(slice->GetOutput());
+    const std::vector<Segment> more =
+      SegmentsOf(Section(torus, normal, { 0.0123, 0.0217, 0.0312 }));
     lines.insert(lines.end(), more.begin(), more.end());
   }
   const std::vector<Curve> loops = LoopsOf(lines);

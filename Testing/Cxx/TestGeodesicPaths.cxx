@@ -213,14 +213,6 @@ vtkSmartPointer<vtkPolyData> Cloud()
   return PointSources(points);
 }
 
-bool SameBits(vtkDataArray* a, vtkDataArray* b)
-{
-  const auto bytes = static_cast<std::size_t>(a->GetNumberOfValues()) *
-    static_cast<std::size_t>(a->GetDataTypeSize());
-  return a->GetDataType() == b->GetDataType() && a->GetNumberOfValues() == b->GetNumberOfValues() &&
-    std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), bytes) == 0;
-}
-
 void SetUpBumpy(vtkGeodesicPaths* filter)
 {
   filter->SetInputData(WavySphere(120, 80));
@@ -251,9 +243,9 @@ void CheckThreads(Check& check)
     ++backends;
     vtkSMPTools::Initialize(3);
     const auto several = run();
-    check.That(SameBits(alone->GetPoints()->GetData(), several->GetPoints()->GetData()) &&
-        SameBits(alone->GetPointData()->GetScalars(), several->GetPointData()->GetScalars()) &&
-        SameBits(
+    check.That(AreSame(alone->GetPoints()->GetData(), several->GetPoints()->GetData()) &&
+        AreSame(alone->GetPointData()->GetScalars(), several->GetPointData()->GetScalars()) &&
+        AreSame(
           alone->GetCellData()->GetArray("SourceId"), several->GetCellData()->GetArray("SourceId")),
       std::string("the same bits on several threads, ") + backend);
   }

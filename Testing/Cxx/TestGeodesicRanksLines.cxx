@@ -5,26 +5,10 @@
 #include "LineTesting.h"
 #include "RanksTesting.h"
 
-#include "vtkCutter.h"
-#include "vtkPlane.h"
-
 using namespace GeodesicTesting;
 
 namespace
 {
-
-/// A section, as lines.
-vtkSmartPointer<vtkPolyData> Section(vtkPolyData* surface, const Point& normal, const Point& origin)
-{
-  vtkNew<vtkPlane> plane;
-  plane->SetNormal(normal.data());
-  plane->SetOrigin(origin.data());
-  vtkNew<vtkCutter> slice;
-  slice->SetInputData(surface);
-  slice->SetCutFunction(plane);
-  slice->Update();
-  return slice->GetOutput();
-}
 
 /// The lines of this rank: those of its piece, or one of many that were dealt out.
 vtkSmartPointer<vtkPolyData> Dealt(vtkPolyData* lines, Ranks ranks)

@@ -44,6 +44,7 @@ void CheckKinds(Check& check)
   {
     NumberedCells(surface);
     vtkNew<vtkGeodesicDistanceField> filter;
+    filter->GenerateSignedDistanceOn(); // needs one orientation
     Messages messages(filter);
     Run(messages, filter, surface, Polyline(Line));
     CheckDistances(check, filter, DistanceTo(Line), name);

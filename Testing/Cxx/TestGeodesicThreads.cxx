@@ -12,11 +12,6 @@ using namespace GeodesicTesting;
 namespace
 {
 
-vtkSmartPointer<vtkPolyData> Ellipsoid()
-{
-  return WavySphere(150, 100);
-}
-
 vtkSmartPointer<vtkPolyData> Run(vtkPolyData* surface, bool approximate, bool refine)
 {
   const auto filter =
@@ -29,26 +24,17 @@ vtkSmartPointer<vtkPolyData> Run(vtkPolyData* surface, bool approximate, bool re
   return filter->GetOutput();
 }
 
-bool SameBits(vtkDataArray* a, vtkDataArray* b)
-{
-  const auto bytes = static_cast<std::size_t>(a->GetNumberOfValues()) *
-    static_cast<std::size_t>(a->GetDataTypeSize());
-  return a->GetDataType() == b->GetDataType() && a->GetNumberOfValues() == b->GetNumberOfValues() &&
-    std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), bytes) == 0;
-}
-
 bool Same(vtkPolyData* a, vtkPolyData* b)
 {
-  bool same = SameBits(a->GetPoints()->GetData(), b->GetPoints()->GetData()) &&
-    SameBits(a->GetPolys()->GetConnectivityArray(), b->GetPolys()->GetConnectivityArray()) &&
-    SameBits(a->GetPointData()->GetScalars(), b->GetPointData()->GetScalars()) &&
-    SameBits(a->GetPointData()->GetTCoords(), b->GetPointData()->GetTCoords()) &&
-    SameBits(
-      a->GetPointData()->GetArray("SourceAngle"), b->GetPointData()->GetArray("SourceAngle"));
+  bool same = AreSame(a->GetPoints()->GetData(), b->GetPoints()->GetData()) &&
+    AreSame(a->GetPolys()->GetConnectivityArray(), b->GetPolys()->GetConnectivityArray()) &&
+    AreSame(a->GetPointData()->GetScalars(), b->GetPointData()->GetScalars()) &&
+    AreSame(a->GetPointData()->GetTCoords(), b->GetPointData()->GetTCoords()) &&
+    AreSame(a->GetPointData()->GetArray("SourceAngle"), b->GetPointData()->GetArray("SourceAngle"));
   for (const char* name : { "WindowsPropagatedPerEdge", "SourceLength", "SourceSnapDistance",
          "RelativeErrorBound", "InterpolationErrorBound" })
   {
-    same = same && SameBits(a->GetFieldData()->GetArray(name), b->GetFieldData()->GetArray(name));
+    same = same && AreSame(a->GetFieldData()->GetArray(name), b->GetFieldData()->GetArray(name));
   }
   return same;
 }
@@ -58,7 +44,7 @@ bool Same(vtkPolyData* a, vtkPolyData* b)
 int TestGeodesicThreads(int, char*[])
 {
   Check check;
-  auto surface = Ellipsoid();
+  const auto surface = WavySphere(150, 100);
   int backends = 0;
   for (const bool approximate : { false, true })
   {

@@ -4,9 +4,7 @@
 #include "GeodesicTesting.h"
 
 #include "vtkAppendPolyData.h"
-#include "vtkCutter.h"
 #include "vtkMath.h"
-#include "vtkPlane.h"
 #include "vtkReverseSense.h"
 #include "vtkStripper.h"
 
@@ -28,22 +26,17 @@ struct Line
   double c;
 };
 
-vtkSmartPointer<vtkPolyData> Section(vtkPolyData* surface, const Line& line, bool joined)
+vtkSmartPointer<vtkPolyData> CutAlong(vtkPolyData* surface, const Line& line, bool joined)
 {
-  vtkNew<vtkPlane> plane;
-  plane->SetNormal(line.a, line.b, 0.0);
-  const double squared = line.a * line.a + line.b * line.b;
-  plane->SetOrigin(line.a * line.c / squared, line.b * line.c / squared, 0.0);
-  vtkNew<vtkCutter> cutter;
-  cutter->SetInputData(surface);
-  cutter->SetCutFunction(plane);
+  const double scale = line.c / (line.a * line.a + line.b * line.b);
+  const auto lines =
+    Section(surface, { line.a, line.b, 0.0 }, { line.a * scale, line.b * scale, 0.0 });
   if (!joined)
   {
-    cutter->Update();
-    return cutter->GetOutput();
+    return lines;
   }
   vtkNew<vtkStripper> stripper;
-  stripper->SetInputConnection(cutter->GetOutputPort());
+  stripper->SetInputData(lines);
   stripper->SetMaximumLength(100000);
   stripper->Update();
   return stripper->GetOutput();
@@ -106,7 +99,7 @@ void CheckInvertedTriangle(Check& check)
         const std::string what = "an inverted triangle, the section " + std::to_string(line.a) +
           " x + " + std::to_string(line.b) + " y = " + std::to_string(line.c) +
           (joined ? ", joined" : ", in pieces") + (dataType == VTK_FLOAT ? ", 32 bits" : "");
-        auto section = Section(surface, line, joined);
+        auto section = CutAlong(surface, line, joined);
         const auto distances = DistancesFrom(check, surface, section, true, what);
         for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
         {
@@ -147,7 +140,7 @@ void CheckCoincidentSheets(Check& check)
         const std::string what = std::string("two sheets, ") + (fineFirst ? "fine" : "coarse") +
           " first, a section of the " + (cutFine ? "fine" : "coarse") + " one" +
           (joined ? ", joined" : ", in pieces");
-        auto section = Section(cutFine ? fine : coarse, line, joined);
+        auto section = CutAlong(cutFine ? fine : coarse, line, joined);
         const auto distances = DistancesFrom(check, surface, section, false, what);
         for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
         {
@@ -164,7 +157,7 @@ void CheckCoincidentSheets(Check& check)
     // The section of both at once, in pieces: each keeps to its sheet.
     const std::string what = "two sheets, the section of both";
     const auto distances =
-      DistancesFrom(check, surface, Section(surface, line, false), false, what);
+      DistancesFrom(check, surface, CutAlong(surface, line, false), false, what);
     for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
     {
       const double* p = surface->GetPoint(i);
@@ -215,7 +208,7 @@ void CheckDoubledSphere(Check& check)
     const std::string what =
       std::string("a doubled sphere, the section ") + (joined ? "joined" : "in pieces");
     const auto distances =
-      DistancesFrom(check, surface, Section(sphere, { 1.0, 0.3, 0.1 }, joined), false, what);
+      DistancesFrom(check, surface, CutAlong(sphere, { 1.0, 0.3, 0.1 }, joined), false, what);
     const auto half = distances.begin() + sphere->GetNumberOfPoints();
     const auto isReached = [](double d) { return d < Infinity; };
     check.That(std::all_of(distances.begin(), half, isReached), what + ": the one is reached");
@@ -275,7 +268,7 @@ void CheckFoldedStrip(Check& check)
     const std::string what =
       std::string("a folded strip, the section ") + (joined ? "joined" : "in pieces");
     const auto distances =
-      DistancesFrom(check, strip.Surface, Section(strip.Surface, line, joined), true, what);
+      DistancesFrom(check, strip.Surface, CutAlong(strip.Surface, line, joined), true, what);
     for (std::size_t i = 0; i < distances.size(); ++i)
     {
       const double y = strip.Surface->GetPoint(static_cast<vtkIdType>(i))[1];
@@ -295,7 +288,7 @@ void CheckSoup(Check& check)
     const std::string what =
       std::string("a soup of triangles, the section ") + (joined ? "joined" : "in pieces");
     const auto distances =
-      DistancesFrom(check, surface, Section(surface, { 0.0, 1.0, height }, joined), false, what);
+      DistancesFrom(check, surface, CutAlong(surface, { 0.0, 1.0, height }, joined), false, what);
     for (vtkIdType first = 0; first < surface->GetNumberOfPoints(); first += 3)
     {
       std::vector<Point> ends;

@@ -93,15 +93,7 @@ void CheckValue(
   {
     vtkDataArray* before = ArrayOf(infinite, name);
     vtkDataArray* after = ArrayOf(filter, name);
-    bool isSame = true;
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      for (int k = 0; k < before->GetNumberOfComponents(); ++k)
-      {
-        isSame = isSame && before->GetComponent(i, k) == after->GetComponent(i, k);
-      }
-    }
-    check.That(isSame, what + ": " + name + " does not change");
+    check.That(NumbersOf(before) == NumbersOf(after), what + ": " + name + " does not change");
   }
   check.Equal(filter->GetInterpolationErrorBound(), infinite->GetInterpolationErrorBound(),
     what + ": the bound");
