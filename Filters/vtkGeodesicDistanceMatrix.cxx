@@ -4,6 +4,7 @@
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Inputs.h"
 #include "PolyData/Memory.h"
+#include "PolyData/reading/PolyDataSurface.h"
 #include "field/DistanceMatrix.h"
 
 #include "vtkCharArray.h"
@@ -17,6 +18,8 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <string>
@@ -62,12 +65,32 @@ private:
   std::set<std::string> given_ = { TargetIdColumn, TargetNameColumn, TargetPositionColumn };
 };
 
+/// The targets if an array makes sets of them, else null.
+const Sources* TargetSetsOf(const Inputs& inputs)
+{
+  return inputs.areTargetsSources ? &inputs.sources
+    : inputs.targetSets           ? &*inputs.targetSets
+                                  : nullptr;
+}
+
 /// Adds the names of targets that have some.
-void AddTargetNames(const Inputs& inputs, vtkTable* table)
+void AddTargetNames(const Inputs& inputs, vtkIdType rows, vtkTable* table)
 {
   vtkNew<vtkStringArray> column;
   column->SetName(TargetNameColumn);
-  column->SetNumberOfValues(static_cast<vtkIdType>(inputs.targets.count));
+  column->SetNumberOfValues(rows);
+  if (const Sources* sets = TargetSetsOf(inputs))
+  {
+    for (std::size_t i = 0; i < sets->names.size(); ++i)
+    {
+      column->SetValue(static_cast<vtkIdType>(i), sets->names[i]);
+    }
+    if (!sets->names.empty())
+    {
+      table->AddColumn(column);
+    }
+    return;
+  }
   vtkIdType row = 0;
   bool hasNames = false;
   for (const PolyDataBlock& block : inputs.targetBlocks.blocks)
@@ -85,14 +108,34 @@ void AddTargetNames(const Inputs& inputs, vtkTable* table)
   }
 }
 
+/// The first point of each set of targets on the surface; NaN where a set has none.
+std::vector<Vec3> PlacesOf(const Sources& sets, const PolyDataSurface& surface)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Vec3> places(sets.ids.size(), Vec3{ nan, nan, nan });
+  for (auto curve = sets.curves.rbegin(); curve != sets.curves.rend(); ++curve)
+  {
+    places[curve->source] = surface.scale.toUser(position(surface.mesh(), curve->points.front()));
+  }
+  return places;
+}
+
 /// Adds where targets are.
-void AddTargetPositions(const Inputs& inputs, vtkTable* table)
+void AddTargetPositions(const Inputs& inputs, vtkIdType rows, vtkTable* table)
 {
   vtkNew<vtkDoubleArray> column;
   column->SetName(TargetPositionColumn);
   column->SetNumberOfComponents(3);
-  requireMemory(
-    static_cast<vtkIdType>(inputs.targets.count), 3 * static_cast<vtkIdType>(sizeof(double)));
+  requireMemory(rows, 3 * static_cast<vtkIdType>(sizeof(double)));
+  if (const Sources* sets = TargetSetsOf(inputs))
+  {
+    for (const Vec3& place : PlacesOf(*sets, *inputs.surface))
+    {
+      column->InsertNextTuple(place.data());
+    }
+    table->AddColumn(column);
+    return;
+  }
   for (const PolyDataBlock& block : inputs.targetBlocks.blocks)
   {
     for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
@@ -105,29 +148,51 @@ void AddTargetPositions(const Inputs& inputs, vtkTable* table)
 
 /// Adds the column of a source. Its distances are freed: there may be no memory for all of them
 /// twice.
-void AddSource(const std::string& name, std::vector<double> distances, const Targets& targets,
-  const PowerOfTwoScale& scale, vtkTable* table)
+///
+/// \param inputs have the rows of the distances.
+void AddSource(const std::string& name, std::vector<double> distances, const Inputs& inputs,
+  vtkIdType rows, vtkTable* table)
 {
-  const auto column =
-    makeArray<vtkDoubleArray>(name.c_str(), static_cast<vtkIdType>(targets.count));
+  const auto column = makeArray<vtkDoubleArray>(name.c_str(), rows);
   column->Fill(Infinity);
+  const bool areAll = TargetSetsOf(inputs) != nullptr;
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
-    column->SetValue(static_cast<vtkIdType>(targets.numbers[i]),
-      scale.resultToUser(distances[i],
+    column->SetValue(static_cast<vtkIdType>(areAll ? i : inputs.targets.numbers[i]),
+      inputs.surface->scale.resultToUser(distances[i],
         "Distances on the surface (input port 0) are larger than numbers can be. Scale the "
         "surface, the source and the targets upstream."));
   }
   table->AddColumn(column);
 }
 
+/// \param maximumDistance in the engine's units.
+/// \returns for each source the distances of the targets.
+std::vector<std::vector<double>> Solve(const Inputs& inputs, double maximumDistance, const Job& job)
+{
+  const TriangleMesh& mesh = inputs.surface->mesh();
+  const Sources& sources = inputs.sources;
+  const std::size_t count = sources.ids.size();
+  if (inputs.areTargetsSources)
+  {
+    return distancesBetween(mesh, setsOf(sources.curves, count), maximumDistance, job);
+  }
+  if (const Sources* sets = TargetSetsOf(inputs))
+  {
+    return distanceMatrix(mesh, setsOf(sources.curves, count),
+      setsOf(sets->curves, sets->ids.size()), maximumDistance, job);
+  }
+  return distanceMatrix(
+    mesh, sources.curves, static_cast<Id>(count), inputs.targets.places, maximumDistance, job);
+}
+
 /// \param maximumDistance in the units of the surface; 0: no limit.
 void ComputeTable(const Inputs& inputs, double maximumDistance, bool hasPositions,
   FilterExecution& execution, vtkTable* table)
 {
-  const Targets& targets = inputs.targets;
-  const auto rows = static_cast<vtkIdType>(targets.count);
-  const auto numberOfSources = static_cast<Id>(inputs.sources.ids.size());
+  const Sources* sets = TargetSetsOf(inputs);
+  const auto rows = static_cast<vtkIdType>(sets ? sets->ids.size() : inputs.targets.count);
+  const auto numberOfSources = static_cast<vtkIdType>(inputs.sources.ids.size());
 
   const Job job = execution.begin(Stage::SolveForTargets);
   // Once as they are computed, once as they are put out.
@@ -136,22 +201,25 @@ void ComputeTable(const Inputs& inputs, double maximumDistance, bool hasPosition
       2 * static_cast<vtkIdType>(sizeof(double)) * numberOfSources);
   const PowerOfTwoScale& scale = inputs.surface->scale;
   std::vector<std::vector<double>> matrix =
-    distanceMatrix(inputs.surface->mesh(), inputs.sources.curves, numberOfSources, targets.places,
-      maximumDistance > 0.0 ? scale.toEngine(maximumDistance) : Infinity, job);
+    Solve(inputs, maximumDistance > 0.0 ? scale.toEngine(maximumDistance) : Infinity, job);
 
   execution.begin(Stage::Write);
   const auto ids = makeArray<vtkIdTypeArray>(TargetIdColumn, rows);
   std::iota(ids->GetPointer(0), ids->GetPointer(rows), 0);
+  if (sets)
+  {
+    std::copy(sets->ids.begin(), sets->ids.end(), ids->GetPointer(0));
+  }
   table->AddColumn(ids);
-  AddTargetNames(inputs, table);
+  AddTargetNames(inputs, rows, table);
   if (hasPositions)
   {
-    AddTargetPositions(inputs, table);
+    AddTargetPositions(inputs, rows, table);
   }
   ColumnNames names(inputs.sources);
   for (std::vector<double>& column : matrix)
   {
-    AddSource(names.next(), std::move(column), targets, scale, table);
+    AddSource(names.next(), std::move(column), inputs, rows, table);
   }
 }
 
@@ -185,6 +253,7 @@ vtkGeodesicDistanceMatrix::~vtkGeodesicDistanceMatrix()
 {
   this->SetSourceNameArrayName(nullptr);
   this->SetTargetNameArrayName(nullptr);
+  this->SetTargetIdArrayName(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -227,6 +296,7 @@ ExecutionPlan vtkGeodesicDistanceMatrix::Plan() const
   plan.supportsPieces = false;
   plan.sourceNameArray = this->SourceNameArrayName;
   plan.targetNameArray = this->TargetNameArrayName;
+  plan.targetIdArray = this->TargetIdArrayName;
   return plan;
 }
 
@@ -251,6 +321,9 @@ void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
      << (this->SourceNameArrayName ? this->SourceNameArrayName : "(none)") << "\n";
   os << indent << "TargetNameArrayName: "
      << (this->TargetNameArrayName ? this->TargetNameArrayName : "(none)") << "\n";
+  os << indent
+     << "TargetIdArrayName: " << (this->TargetIdArrayName ? this->TargetIdArrayName : "(none)")
+     << "\n";
   os << indent << "GenerateTargetPositions: " << (this->GenerateTargetPositions ? "On" : "Off")
      << "\n";
 }

@@ -51,10 +51,13 @@ FarPoints farPointsOf(
     for (std::size_t i = 0; i < line.points.size(); ++i)
     {
       // All of its faces are equally close.
-      if (snapToFace(mesh, line.faces[i].front(), line.points[i], precision).distance <= limit)
+      const double distance =
+        snapToFace(mesh, line.faces[i].front(), line.points[i], precision).distance;
+      if (distance <= limit)
       {
         continue;
       }
+      far.largestDistance = std::max(far.largestDistance, distance);
       if (far.count++ < PointsNamed)
       {
         far.names.push_back(line.nameOfPoint(i).withoutInput());
@@ -123,6 +126,14 @@ std::string farText(
   text << ", at " << far.count << " of " << far.ofAll
        << " points: " << listFirst(far.names, far.count);
   return text.str();
+}
+
+void noteFarTargets(
+  const FarPoints& far, const PolyDataSurface& surface, NoteOn input, Notes& notes)
+{
+  notes.add(input, FarNote,
+    farText("The targets are", far, surface) +
+      ". Do they belong to this surface? They were put onto the surface's closest points.");
 }
 
 }
@@ -263,9 +274,19 @@ void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock
   {
     far.names.push_back(nameOfTarget(blocks, numbers[i]));
   }
-  notes.add(input, FarNote,
-    farText("The targets are", far, surface) +
-      ". Do they belong to this surface? They were put onto the surface's closest points.");
+  noteFarTargets(far, surface, input, notes);
+}
+
+void noteTargetSets(const PolyDataSurface& surface, const TriangleMesh& mesh,
+  const SourcePolylines& targets, NoteOn input, Notes& notes)
+{
+  notes.add(input, targets.droppedCells, "cell", "cells",
+    "of the targets left out: neither vertices, lines nor flat faces.");
+  const FarPoints far = farPointsOf(mesh, targets.polylines, farLimit(surface));
+  if (far.count > 0 && !notes.has(NoteOn::Source, FarNote))
+  {
+    noteFarTargets(far, surface, input, notes);
+  }
 }
 
 }

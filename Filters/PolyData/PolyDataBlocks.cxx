@@ -237,12 +237,6 @@ std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const PartName& name, 
   return blocks;
 }
 
-/// Whether the name of an array stands for one. "None" is the first entry of ParaView's lists.
-bool isChosen(const char* array)
-{
-  return array && *array && std::string(array) != "None";
-}
-
 /// An array of the parts of a source, of targets, or of barriers.
 struct PartArray
 {
@@ -373,10 +367,9 @@ bool areWhole(vtkDataArray* numbers)
 }
 
 /// Values that cannot be ids become -1 or SourceIdEnd.
-std::vector<vtkIdType> readSourceIds(vtkDataSet* data, const PolyDataBlock& block, const char* name)
+std::vector<vtkIdType> readIds(vtkDataSet* data, const PolyDataBlock& block, const PartArray& array)
 {
   std::vector<vtkIdType> ids;
-  const PartArray array = arrayOfParts(block, name, "SourceIdArrayName");
   vtkAbstractArray* any = requireArray(data, block, array);
   if (!any)
   {
@@ -585,6 +578,11 @@ std::size_t takeBlocks(
 
 }
 
+bool isChosen(const char* array)
+{
+  return array && *array && std::string(array) != "None";
+}
+
 double PolyDataBlock::precision() const
 {
   const bool isFloat =
@@ -644,9 +642,18 @@ std::vector<PolyDataBlock> sourceBlocks(
     {
       PolyDataBlock block = sourceBlock(object, ownName);
       auto* data = vtkDataSet::SafeDownCast(object);
-      block.sourceIds = readSourceIds(data, block, arrays.sourceIds);
+      const char* const role = arrays.areTargets ? "Target" : "Source";
+      const std::string idProperty = std::string(role) + "IdArrayName";
+      const std::string nameProperty = std::string(role) + "NameArrayName";
+      const PartArray ids = arrayOfParts(block, arrays.sourceIds, idProperty.c_str());
+      if (arrays.areTargets && !ids.find(data, ids.areOfPoints) && ids.find(data, true))
+      {
+        block = targetBlock(object, ownName);
+      }
+      block.sourceIds =
+        readIds(data, block, arrayOfParts(block, arrays.sourceIds, idProperty.c_str()));
       block.partNames =
-        readNames(data, block, arrayOfParts(block, arrays.sourceNames, "SourceNameArrayName"));
+        readNames(data, block, arrayOfParts(block, arrays.sourceNames, nameProperty.c_str()));
       block.pointNames = readNames(data, block, arrayOfTargets(arrays.targetNames));
       return block;
     });

@@ -77,6 +77,7 @@ class HowTo(InFolder):
         between = (np.pi/2 + np.arcsin(0.2 / 0.5)) / 2
         np.testing.assert_allclose(np.arcsin(heights / 0.5), between, atol=0.0005)
         self.assert_table()
+        self.assert_regions(names)
         self.assert_lines()
         found = distances(names["near"])
         self.assertAlmostEqual(found.max(), 0.4, delta=0.02)
@@ -159,6 +160,16 @@ class HowTo(InFolder):
                     area.UpdatePipeline()
                     areas.append(area.CellData["Area"].GetRange()[0])
             np.testing.assert_allclose(sorted(sides[1]), sorted(sides[0]), rtol=1e-8, atol=1e-8)
+
+    def assert_regions(self, names):
+        """The table is symmetric, and neighbours touch, as their faces follow each other on the ball."""
+        table = data(names["regions"])
+        count = table.GetNumberOfRows()
+        between = np.array([[table.GetValueByName(i, f"Source{j}").ToDouble() for j in range(count)] for i in range(count)])
+        self.assertGreater(count, 5)
+        np.testing.assert_array_equal(between, between.T)
+        np.testing.assert_array_equal(np.diagonal(between), 0)
+        self.assertGreater(between.max(), 0.1)
 
     def assert_table(self):
         with open("distances.csv") as file:
