@@ -181,7 +181,7 @@ class Properties(unittest.TestCase):
         filters = {"field": geodesicdistance.vtkGeodesicDistanceField, "contour": geodesicdistance.vtkGeodesicContour,
                    "paths": geodesicdistance.vtkGeodesicPaths, "matrix": geodesicdistance.vtkGeodesicDistanceMatrix}
         not_theirs = {"surface", "source", "targets", "distances", "pairs", "boundary", "barriers", "threads",
-                      "source_ids"}
+                      "source_ids", "labels"}
         chosen_here = {"refine_mesh": False, "accuracy": None, "relative_error": None}
         for name, kind in filters.items():
             for argument, parameter in inspect.signature(getattr(geodesicdistance, name)).parameters.items():
@@ -194,6 +194,7 @@ class Properties(unittest.TestCase):
     def test_are_all_arguments(self):
         """Each setter of the filters is an argument, or has another name here."""
         others = {"Controller", "SourceType", "SourceConnection", "SourceData", "BarrierArrayName", "SourceIdArrayName",
+                  "TargetIdArrayName",  # labels
                   # a numpy array has no names, and nothing but distances
                   "SourceNameArrayName", "TargetNameArrayName", "GenerateTargetPositions",
                   "TargetsConnection", "TargetsData", "NumberOfContours", "Value"}

@@ -98,17 +98,22 @@ double estimateWork(
 }
 
 /// Whether fewer fronts, with less work in all, go out from the targets than from the sources.
-bool isLessFromTargets(
-  const Places& sources, const Places& targets, double maximumDistance, const Job& job)
+bool isLessFromTargets(const TriangleMesh& mesh, const CurveSets& sources, const CurveSets& targets,
+  double maximumDistance, const Job& job)
 {
-  const auto fronts = [](const Places& sets)
+  const auto fronts = [](const CurveSets& sets)
   {
     return std::count_if(
-      sets.begin(), sets.end(), [](const std::vector<Vec3>& set) { return !set.empty(); });
+      sets.begin(), sets.end(), [](const std::vector<SourceCurve>& set) { return !set.empty(); });
   };
-  return fronts(targets) > 0 && fronts(targets) < fronts(sources) &&
-    estimateWork(targets, sources, maximumDistance, job) <
-    estimateWork(sources, targets, maximumDistance, job);
+  if (fronts(targets) == 0 || fronts(targets) >= fronts(sources))
+  {
+    return false;
+  }
+  const Places some = placesOf(mesh, targets);
+  const Places others = placesOf(mesh, sources);
+  return estimateWork(some, others, maximumDistance, job) <
+    estimateWork(others, some, maximumDistance, job);
 }
 
 bool areAllPoints(const std::vector<SourceCurve>& curves)
@@ -170,7 +175,11 @@ std::vector<std::vector<double>> distanceMatrix(const TriangleMesh& mesh,
   const CurveSets sources = setsOf(curves, numberOfSources);
   if (areAllPoints(curves) && targets.size() < sources.size())
   {
-    return distanceMatrix(mesh, sources, setsOfPoints(mesh, targets), maximumDistance, job);
+    const CurveSets sets = setsOfPoints(mesh, targets);
+    if (isLessFromTargets(mesh, sources, sets, maximumDistance, job))
+    {
+      return matrixFromTargets(mesh, sources, sets, maximumDistance, job);
+    }
   }
   return matrixFrom(sources, TargetSets(mesh, targets), maximumDistance, job);
 }
@@ -178,7 +187,7 @@ std::vector<std::vector<double>> distanceMatrix(const TriangleMesh& mesh,
 std::vector<std::vector<double>> distanceMatrix(const TriangleMesh& mesh, const CurveSets& sources,
   const CurveSets& targets, double maximumDistance, const Job& job)
 {
-  return isLessFromTargets(placesOf(mesh, sources), placesOf(mesh, targets), maximumDistance, job)
+  return isLessFromTargets(mesh, sources, targets, maximumDistance, job)
     ? matrixFromTargets(mesh, sources, targets, maximumDistance, job)
     : matrixFrom(sources, TargetSets(mesh, targets), maximumDistance, job);
 }

@@ -68,11 +68,19 @@ void TargetSets::addCurve(Id set, const SourceCurve& curve)
       lengthOfSegment(this->mesh_, curve, point - this->points_.size()) });
   }
   this->points_.insert(this->points_.end(), curve.points.begin(), curve.points.end());
-  this->setOfPoint_.resize(this->points_.size(), set);
   for (const Id face : curve.coveredFaces)
   {
     this->covered_.push_back({ set, face });
+    // Where sheets meet in a vertex paths come to the region through it, not through its outline.
+    for (const Id vertex : this->mesh_.triangle(face))
+    {
+      if (this->mesh_.pseudoSource(vertex) == TriangleMesh::PseudoSource::Irregular)
+      {
+        this->points_.push_back(SurfacePoint::atVertex(vertex));
+      }
+    }
   }
+  this->setOfPoint_.resize(this->points_.size(), set);
 }
 
 std::vector<double> TargetSets::zeroWhereInside(const std::vector<SourceCurve>& source) const
