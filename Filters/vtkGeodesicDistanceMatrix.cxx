@@ -74,33 +74,32 @@ const Sources* TargetSetsOf(const Inputs& inputs)
 }
 
 /// Adds the names of targets that have some.
-void AddTargetNames(const Inputs& inputs, vtkIdType rows, vtkTable* table)
+void AddTargetNames(const Inputs& inputs, vtkTable* table)
 {
   vtkNew<vtkStringArray> column;
   column->SetName(TargetNameColumn);
-  column->SetNumberOfValues(rows);
-  if (const Sources* sets = TargetSetsOf(inputs))
-  {
-    for (std::size_t i = 0; i < sets->names.size(); ++i)
-    {
-      column->SetValue(static_cast<vtkIdType>(i), sets->names[i]);
-    }
-    if (!sets->names.empty())
-    {
-      table->AddColumn(column);
-    }
-    return;
-  }
+  column->SetNumberOfValues(static_cast<vtkIdType>(inputs.targets.count));
   vtkIdType row = 0;
   bool hasNames = false;
-  for (const PolyDataBlock& block : inputs.targetBlocks.blocks)
+  const auto addNames = [&](const std::vector<std::string>& names)
   {
-    hasNames = hasNames || !block.pointNames.empty();
-    for (std::size_t i = 0; i < block.pointNames.size(); ++i)
+    hasNames = hasNames || !names.empty();
+    for (std::size_t i = 0; i < names.size(); ++i)
     {
-      column->SetValue(row + static_cast<vtkIdType>(i), block.pointNames[i]);
+      column->SetValue(row + static_cast<vtkIdType>(i), names[i]);
     }
-    row += block.data->GetNumberOfPoints();
+  };
+  if (const Sources* sets = TargetSetsOf(inputs))
+  {
+    addNames(sets->names);
+  }
+  else
+  {
+    for (const PolyDataBlock& block : inputs.targetBlocks.blocks)
+    {
+      addNames(block.pointNames);
+      row += block.data->GetNumberOfPoints();
+    }
   }
   if (hasNames)
   {
@@ -108,39 +107,33 @@ void AddTargetNames(const Inputs& inputs, vtkIdType rows, vtkTable* table)
   }
 }
 
-/// The first point of each set of targets on the surface; NaN where a set has none.
-std::vector<Vec3> PlacesOf(const Sources& sets, const PolyDataSurface& surface)
+/// Adds where targets are; of a set the first point on the surface, NaN where there is none.
+void AddTargetPositions(const Inputs& inputs, vtkTable* table)
 {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Vec3> places(sets.ids.size(), Vec3{ nan, nan, nan });
-  for (auto curve = sets.curves.rbegin(); curve != sets.curves.rend(); ++curve)
-  {
-    places[curve->source] = surface.scale.toUser(position(surface.mesh(), curve->points.front()));
-  }
-  return places;
-}
-
-/// Adds where targets are.
-void AddTargetPositions(const Inputs& inputs, vtkIdType rows, vtkTable* table)
-{
+  const auto rows = static_cast<vtkIdType>(inputs.targets.count);
+  requireMemory(rows, 3 * static_cast<vtkIdType>(sizeof(double)));
   vtkNew<vtkDoubleArray> column;
   column->SetName(TargetPositionColumn);
   column->SetNumberOfComponents(3);
-  requireMemory(rows, 3 * static_cast<vtkIdType>(sizeof(double)));
+  column->SetNumberOfTuples(rows);
+  column->Fill(std::numeric_limits<double>::quiet_NaN());
   if (const Sources* sets = TargetSetsOf(inputs))
   {
-    for (const Vec3& place : PlacesOf(*sets, *inputs.surface))
+    const PolyDataSurface& surface = *inputs.surface;
+    for (auto curve = sets->curves.rbegin(); curve != sets->curves.rend(); ++curve)
     {
-      column->InsertNextTuple(place.data());
+      const Vec3 place = position(surface.mesh(), curve->points.front());
+      column->SetTuple(static_cast<vtkIdType>(curve->source), surface.scale.toUser(place).data());
     }
     table->AddColumn(column);
     return;
   }
+  vtkIdType row = 0;
   for (const PolyDataBlock& block : inputs.targetBlocks.blocks)
   {
     for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
     {
-      column->InsertNextTuple(block.data->GetPoint(i));
+      column->SetTuple(row++, block.data->GetPoint(i));
     }
   }
   table->AddColumn(column);
@@ -148,18 +141,16 @@ void AddTargetPositions(const Inputs& inputs, vtkIdType rows, vtkTable* table)
 
 /// Adds the column of a source. Its distances are freed: there may be no memory for all of them
 /// twice.
-///
-/// \param inputs have the rows of the distances.
-void AddSource(const std::string& name, std::vector<double> distances, const Inputs& inputs,
-  vtkIdType rows, vtkTable* table)
+void AddSource(const std::string& name, std::vector<double> distances, const Targets& targets,
+  const PowerOfTwoScale& scale, vtkTable* table)
 {
-  const auto column = makeArray<vtkDoubleArray>(name.c_str(), rows);
+  const auto column =
+    makeArray<vtkDoubleArray>(name.c_str(), static_cast<vtkIdType>(targets.count));
   column->Fill(Infinity);
-  const bool areAll = TargetSetsOf(inputs) != nullptr;
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
-    column->SetValue(static_cast<vtkIdType>(areAll ? i : inputs.targets.numbers[i]),
-      inputs.surface->scale.resultToUser(distances[i],
+    column->SetValue(static_cast<vtkIdType>(targets.numbers[i]),
+      scale.resultToUser(distances[i],
         "Distances on the surface (input port 0) are larger than numbers can be. Scale the "
         "surface, the source and the targets upstream."));
   }
@@ -191,7 +182,7 @@ void ComputeTable(const Inputs& inputs, double maximumDistance, bool hasPosition
   FilterExecution& execution, vtkTable* table)
 {
   const Sources* sets = TargetSetsOf(inputs);
-  const auto rows = static_cast<vtkIdType>(sets ? sets->ids.size() : inputs.targets.count);
+  const auto rows = static_cast<vtkIdType>(inputs.targets.count);
   const auto numberOfSources = static_cast<vtkIdType>(inputs.sources.ids.size());
 
   const Job job = execution.begin(Stage::SolveForTargets);
@@ -211,15 +202,15 @@ void ComputeTable(const Inputs& inputs, double maximumDistance, bool hasPosition
     std::copy(sets->ids.begin(), sets->ids.end(), ids->GetPointer(0));
   }
   table->AddColumn(ids);
-  AddTargetNames(inputs, rows, table);
+  AddTargetNames(inputs, table);
   if (hasPositions)
   {
-    AddTargetPositions(inputs, rows, table);
+    AddTargetPositions(inputs, table);
   }
   ColumnNames names(inputs.sources);
   for (std::vector<double>& column : matrix)
   {
-    AddSource(names.next(), std::move(column), inputs, rows, table);
+    AddSource(names.next(), std::move(column), inputs.targets, scale, table);
   }
 }
 

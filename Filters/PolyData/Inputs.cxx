@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <numeric>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -410,14 +411,17 @@ Inputs readInputs(const InputRequest& request, const ExecutionPlan& plan, Surfac
   SourcesOnPatch onPatch = reader.readSources(inputs.surfaceBlocks, source.blocks);
   inputs.patch = std::move(onPatch.patch);
   inputs.sources = std::move(onPatch.sources);
-  if (inputs.areTargetsSources)
-  {
-    return inputs;
-  }
   if (isChosen(plan.targetIdArray))
   {
-    inputs.targetSets =
-      reader.readTargetSets(inputs.surfaceBlocks, inputs.targetBlocks.blocks, *inputs.patch);
+    if (!inputs.areTargetsSources)
+    {
+      inputs.targetSets =
+        reader.readTargetSets(inputs.surfaceBlocks, inputs.targetBlocks.blocks, *inputs.patch);
+    }
+    const Sources& sets = inputs.areTargetsSources ? inputs.sources : *inputs.targetSets;
+    inputs.targets.count = sets.ids.size();
+    inputs.targets.numbers.resize(sets.ids.size());
+    std::iota(inputs.targets.numbers.begin(), inputs.targets.numbers.end(), std::size_t{ 0 });
   }
   else if (plan.targets != TargetPoints::None)
   {

@@ -139,7 +139,7 @@ struct Inputs
   std::optional<ReplicatedPatch> patch;
   Sources sources;
   Targets targets;
-  /// If an array makes sets of the targets, these, read as a source is. Instead of targets.
+  /// If an array makes sets of the targets, these, read as a source is; the targets have no places.
   std::optional<Sources> targetSets;
   /// Whether the sources are the sets of targets, too: then neither is read again.
   bool areTargetsSources = false;
