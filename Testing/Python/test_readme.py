@@ -162,14 +162,16 @@ class HowTo(InFolder):
             np.testing.assert_allclose(sorted(sides[1]), sorted(sides[0]), rtol=1e-8, atol=1e-8)
 
     def assert_regions(self, names):
-        """The table is symmetric, and neighbours touch, as their faces follow each other on the ball."""
+        """The ball's faces are numbered from both poles on, then along the meridians: the first region has the caps at
+        the poles, and touches all others, which are farthest from each other across a cap."""
         table = data(names["regions"])
         count = table.GetNumberOfRows()
         between = np.array([[table.GetValueByName(i, f"Source{j}").ToDouble() for j in range(count)] for i in range(count)])
         self.assertGreater(count, 5)
         np.testing.assert_array_equal(between, between.T)
         np.testing.assert_array_equal(np.diagonal(between), 0)
-        self.assertGreater(between.max(), 0.1)
+        np.testing.assert_allclose(between[0], 0, atol=1e-7)
+        self.assertAlmostEqual(between.max(), np.sin(np.pi / 99), delta=0.002)
 
     def assert_table(self):
         with open("distances.csv") as file:
