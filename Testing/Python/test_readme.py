@@ -166,7 +166,8 @@ class HowTo(InFolder):
         the poles, and touches all others, which are farthest from each other across a cap."""
         table = data(names["regions"])
         count = table.GetNumberOfRows()
-        between = np.array([[table.GetValueByName(i, f"Source{j}").ToDouble() for j in range(count)] for i in range(count)])
+        between = np.array([[table.GetValueByName(i, f"Source{j}").ToDouble() for j in range(count)]
+                            for i in range(count)])
         self.assertGreater(count, 5)
         np.testing.assert_array_equal(between, between.T)
         np.testing.assert_array_equal(np.diagonal(between), 0)
