@@ -227,9 +227,11 @@ struct CoverTest
   {
     for (std::size_t t = this->source.first[by]; t < this->source.first[by + 1]; ++t)
     {
-      const SnappedPoint there =
-        snapToFace(this->sourceMesh, static_cast<Id>(t), point, this->precision);
-      if (there.distance <= there.tolerance)
+      const auto triangle = static_cast<Id>(t);
+      const SnappedPoint there = snapToFace(this->sourceMesh, triangle, point, this->precision);
+      // Where faces without area were, those at their edge were cut beside it.
+      const double cut = tolerance::WithoutArea * this->sourceMesh.shape(triangle).longest();
+      if (there.distance <= std::max(there.tolerance, cut))
       {
         return true;
       }
@@ -278,6 +280,28 @@ std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
     }
   }
   return gone;
+}
+
+std::vector<LocatedPolyline> pointsInside(const std::vector<LocatedPolyline>& faces)
+{
+  const FaceTriangles source(faces);
+  const TriangleMesh mesh(source.points, source.triangles);
+  std::vector<LocatedPolyline> inside;
+  for (const LocatedPolyline& face : faces)
+  {
+    inside.push_back(firstPointOf(face));
+  }
+  std::vector<double> largest(faces.size(), -1.0);
+  for (Id triangle = 0; triangle < mesh.numberOfFaces(); ++triangle)
+  {
+    const std::size_t face = source.faces[mesh.inputFace(triangle)];
+    if (mesh.shape(triangle).area2 > largest[face])
+    {
+      largest[face] = mesh.shape(triangle).area2;
+      inside[face].points = { middleOf(mesh, triangle) };
+    }
+  }
+  return inside;
 }
 
 std::vector<CoveredFace> findCoveredFaces(const TriangleMesh& surface,

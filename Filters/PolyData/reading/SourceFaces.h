@@ -28,6 +28,9 @@ namespace geodesic
 std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
   const std::vector<vtkIdType>& values, bool areJoined, std::vector<LocatedPolyline>& polylines);
 
+/// A point inside each face, where it is widest, as a polyline of one point.
+std::vector<LocatedPolyline> pointsInside(const std::vector<LocatedPolyline>& faces);
+
 /// A face of a surface that belongs to a source.
 struct CoveredFace
 {

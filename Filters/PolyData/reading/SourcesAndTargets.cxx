@@ -340,6 +340,48 @@ void joinFaces(const std::vector<vtkIdType>& names, bool areJoined, SourcePolyli
   }
 }
 
+/// For each place the barrier that it lies in, a face of surface.barriers->surface(); the id is
+/// NoId if it lies in none. All ranks call this together.
+///
+/// \param coordinatePrecision relative precision of the points' coordinates.
+std::vector<RankAddress> barriersAt(
+  const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
+{
+  return surface.barriers
+    ? surface.barriers->barriersAt(located.places, located.faces, coordinatePrecision)
+    : std::vector<RankAddress>(located.places.size(), RankAddress{ 0, NoId });
+}
+
+/// Leaves out faces that lie in barriers, which are no faces of the surface. All ranks call this
+/// together.
+///
+/// \throws SourceError if they are all of the source.
+void leaveOutBarriers(const PolyDataSurface& surface, double coordinatePrecision,
+  PolylineLocator& locator, const Job& job, SourcePolylines& sources)
+{
+  if (!surface.barriers || sources.faces.empty())
+  {
+    return;
+  }
+  const std::vector<LocatedPolyline> inside = pointsInside(sources.faces);
+  const LocatedPlaces located = locator.locate(inside, coordinatePrecision, job);
+  const std::vector<RankAddress> barriers = barriersAt(surface, located, coordinatePrecision);
+  std::vector<LocatedPolyline> left;
+  for (std::size_t i = 0; i < inside.size(); ++i)
+  {
+    if (barriers[located.indexOf(inside[i].points.front())].id == NoId)
+    {
+      left.push_back(std::move(sources.faces[i]));
+    }
+  }
+  sources.faces = std::move(left);
+  if (sources.faces.empty() && sources.polylines.empty())
+  {
+    throw SourceError("All of the source (input port 1) lies in barriers (BarrierArrayName), which "
+                      "no path may leave. Choose faces outside of barriers.");
+  }
+}
+
 /// \throws SourceError
 [[noreturn]] void throwEmpty(const SourcePolylines& sources)
 {
@@ -376,18 +418,6 @@ std::string nameOfBarrier(const PolyDataSurface& surface,
 
 /// The share of the job for finding the closest faces.
 constexpr double Located = 0.8;
-
-/// For each place the barrier that it lies in, a face of surface.barriers->surface(); the id is
-/// NoId if it lies in none. All ranks call this together.
-///
-/// \param coordinatePrecision relative precision of the points' coordinates.
-std::vector<RankAddress> barriersAt(
-  const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
-{
-  return surface.barriers
-    ? surface.barriers->barriersAt(located.places, located.faces, coordinatePrecision)
-    : std::vector<RankAddress>(located.places.size(), RankAddress{ 0, NoId });
-}
 
 /// The targets, as polylines of one point each.
 std::vector<LocatedPolyline> readPoints(
@@ -457,8 +487,8 @@ OwnPlace snapToOwnFace(const MeshPartition& surface, const Vec3& point,
 
 }
 
-SourcePolylines readSource(
-  const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface, bool areLinesJoined)
+SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface,
+  bool areLinesJoined, PolylineLocator& locator, const Job& job)
 {
   SourcePolylines result;
   std::vector<std::vector<char>> used;
@@ -481,6 +511,7 @@ SourcePolylines readSource(
   const double precision = coordinatePrecisionOf(source);
   scalePoints(surface, precision, result.polylines);
   scalePoints(surface, precision, result.faces);
+  leaveOutBarriers(surface, precision, locator, job, result);
   const std::vector<vtkIdType> names = namesOfParts(source, result.ids);
   if (areLinesJoined)
   {

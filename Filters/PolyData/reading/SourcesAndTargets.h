@@ -47,9 +47,11 @@ struct SourcePolylines
 ///        points and lie there are this vertex.
 /// \param areLinesJoined whether cells of two points that meet are one curve (LineChains.h), and
 ///        faces with a common edge one region, where no values tell what is one source.
-/// \throws SourceError where there is no point, one is not finite, or a value is no id.
-SourcePolylines readSource(
-  const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface, bool areLinesJoined);
+/// Faces that lie in barriers are left out. All ranks call this together.
+/// \throws SourceError where there is no point, one is not finite, or a value is no id, or if all
+///         lies in barriers; Aborted.
+SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface,
+  bool areLinesJoined, PolylineLocator& locator, const Job& job);
 
 /// Makes sure that no point of a source lies in a barrier: no path could leave it. All ranks call
 /// this together, and all throw.
