@@ -162,6 +162,67 @@ inline RegionScene MakeRegionScene(
   return scene;
 }
 
+/// Whether there is a region outside of barriers.
+inline bool HasRegion(const RegionScene& scene)
+{
+  bool has = false;
+  for (std::size_t f = 0; f < scene.regionOfWhole.size(); ++f)
+  {
+    has = has || scene.isInRegion(f);
+  }
+  return has;
+}
+
+/// Whether regions lie on no other faces, too: which of these they are is open.
+inline bool IsClear(const RegionScene& scene)
+{
+  if (TouchesItself(scene.made.whole, 1e-9))
+  {
+    return false;
+  }
+  const geodesictest::Barycentric places[] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 0.5, 0.5, 0 }, { 0, 0.5, 0.5 }, { 0.5, 0, 0.5 }, { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } };
+  for (geodesictest::Index f = 0; f < scene.made.whole.triangles.size(); ++f)
+  {
+    if (scene.isInRegion(f) &&
+      std::any_of(std::begin(places), std::end(places), [&](const geodesictest::Barycentric& at)
+        { return IsOnOtherFace(scene.made.whole, { f, at }); }))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The edges that one face of a region has.
+inline double OutlineLengthOf(const RegionScene& scene)
+{
+  std::map<std::array<geodesictest::Index, 3>, int> uses;
+  const geodesictest::PlainMesh& whole = scene.made.whole;
+  for (std::size_t f = 0; f < whole.triangles.size(); ++f)
+  {
+    for (std::size_t k = 0; scene.isInRegion(f) && k < 3; ++k)
+    {
+      const auto [a, b] = std::minmax({ whole.triangles[f][k], whole.triangles[f][(k + 1) % 3] });
+      ++uses[{ a, b, static_cast<geodesictest::Index>(scene.regionOfWhole[f]) }];
+    }
+  }
+  double length = 0.0;
+  for (const auto& [edge, count] : uses)
+  {
+    length += count == 1
+      ? geodesictest::spaceDistance(whole.points[edge[0]], whole.points[edge[1]])
+      : 0.0;
+  }
+  return length;
+}
+
+/// Of the largest distance.
+inline double AccuracyOn(const geodesictest::MeshKind& kind)
+{
+  return Contains(kind.name, "Needles") ? 5e-10 : 1e-10;
+}
+
 /// At the points of the whole: from the regions.
 inline std::vector<double> TruthOf(const RegionScene& scene)
 {

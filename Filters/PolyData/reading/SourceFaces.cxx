@@ -12,6 +12,7 @@
 #include <array>
 #include <iterator>
 #include <numeric>
+#include <set>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -36,25 +37,35 @@ struct FaceEdge
   }
 };
 
-/// The edges that have a length, equal ones side by side.
-std::vector<FaceEdge> edgesOf(const std::vector<LocatedPolyline>& faces)
+/// The numbers of each face's corners: points at one place have one number.
+std::vector<std::vector<std::uint64_t>> numberCorners(const std::vector<LocatedPolyline>& faces)
 {
   using Place = std::array<double, 4>;
   std::unordered_map<Place, std::uint64_t, Hash> numbers;
-  const auto numberOf = [&numbers](const LocatedPolyline& face, std::size_t i)
-  {
-    const Vec3 p = face.points[i] + Vec3{}; // -0 and 0 are one place
-    const Place place = { p[0], p[1], p[2], static_cast<double>(face.vertexOf(i)) };
-    return numbers.emplace(place, numbers.size()).first->second;
-  };
-  std::vector<FaceEdge> edges;
+  std::vector<std::vector<std::uint64_t>> corners(faces.size());
   for (std::size_t face = 0; face < faces.size(); ++face)
   {
-    const std::size_t count = faces[face].points.size();
+    for (std::size_t i = 0; i < faces[face].points.size(); ++i)
+    {
+      const Vec3 p = faces[face].points[i] + Vec3{}; // -0 and 0 are one place
+      const Place place = { p[0], p[1], p[2], static_cast<double>(faces[face].vertexOf(i)) };
+      corners[face].push_back(numbers.emplace(place, numbers.size()).first->second);
+    }
+  }
+  return corners;
+}
+
+/// The edges that have a length, equal ones side by side.
+std::vector<FaceEdge> edgesOf(const std::vector<std::vector<std::uint64_t>>& corners)
+{
+  std::vector<FaceEdge> edges;
+  for (std::size_t face = 0; face < corners.size(); ++face)
+  {
+    const std::size_t count = corners[face].size();
     for (std::size_t i = 0; i < count; ++i)
     {
-      const std::uint64_t a = numberOf(faces[face], i);
-      const std::uint64_t b = numberOf(faces[face], (i + 1) % count);
+      const std::uint64_t a = corners[face][i];
+      const std::uint64_t b = corners[face][(i + 1) % count];
       if (a != b)
       {
         edges.push_back({ { std::min(a, b), std::max(a, b) }, face, i });
@@ -134,9 +145,29 @@ std::vector<Id> takeSourcesOfRegions(RegionsOfFaces& regions, std::vector<Locate
   return gone;
 }
 
-/// The edges that only one face of a region uses.
-std::vector<FaceEdge> outlinesOf(RegionsOfFaces& regions, const std::vector<FaceEdge>& edges)
+/// Whether each face repeats another of its region, as a ghost cell does.
+std::vector<bool> findRepeats(
+  RegionsOfFaces& regions, std::vector<std::vector<std::uint64_t>> corners)
 {
+  std::set<std::vector<std::uint64_t>> known;
+  std::vector<bool> isRepeat;
+  for (std::size_t face = 0; face < corners.size(); ++face)
+  {
+    std::sort(corners[face].begin(), corners[face].end());
+    corners[face].push_back(regions.of(face));
+    isRepeat.push_back(!known.insert(std::move(corners[face])).second);
+  }
+  return isRepeat;
+}
+
+/// The edges that only one face of a region uses, apart from those that repeat another.
+std::vector<FaceEdge> outlinesOf(RegionsOfFaces& regions,
+  const std::vector<std::vector<std::uint64_t>>& corners, std::vector<FaceEdge> edges)
+{
+  const std::vector<bool> isRepeat = findRepeats(regions, corners);
+  edges.erase(std::remove_if(edges.begin(), edges.end(),
+                [&](const FaceEdge& edge) { return isRepeat[edge.face]; }),
+    edges.end());
   std::vector<FaceEdge> outlines;
   std::unordered_map<std::size_t, std::size_t> uses;
   for (auto edge = edges.begin(); edge != edges.end();)
@@ -251,7 +282,8 @@ std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
   {
     regions.join(withValue.emplace(values[face], face).first->second, face);
   }
-  const std::vector<FaceEdge> edges = edgesOf(faces);
+  const std::vector<std::vector<std::uint64_t>> corners = numberCorners(faces);
+  const std::vector<FaceEdge> edges = edgesOf(corners);
   for (std::size_t i = 1; areJoined && i < edges.size(); ++i)
   {
     if (edges[i].ends == edges[i - 1].ends)
@@ -263,7 +295,7 @@ std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
   std::vector<std::size_t> lines;
   std::vector<vtkIdType> regionOfLine;
   std::vector<bool> hasOutline(faces.size(), false);
-  for (const FaceEdge& edge : outlinesOf(regions, edges))
+  for (const FaceEdge& edge : outlinesOf(regions, corners, edges))
   {
     const std::size_t region = regions.of(edge.face);
     hasOutline[region] = true;

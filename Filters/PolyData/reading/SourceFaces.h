@@ -15,7 +15,8 @@ namespace geodesic
 
 /// Makes regions of the faces of a source. Its outline are the edges that one of its faces uses,
 /// joined to polylines; each runs in the direction of most of its edges in their faces, so that the
-/// region lies to its left. A closed region has no outline: its first point stands for it.
+/// region lies to its left. A face that is given twice counts once. A closed region has no outline:
+/// its first point stands for it.
 ///
 /// Faces with one value are one region. If faces are joined, so are those with a common edge. Edges
 /// are the same if the coordinates of their ends are equal and are one vertex.
