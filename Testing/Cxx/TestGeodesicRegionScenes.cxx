@@ -81,7 +81,7 @@ double ErrorOfBlock(Check& check, const RegionScene& scene, vtkPolyData* block,
       }
       const double expected = isOutside[point] ? truth[ofWhole] : INFINITY;
       worst = std::max(worst, ErrorOf(distances->GetTuple1(id), expected));
-      if (expected == 0.0)
+      if (expected == 0.0 && distances->GetTuple1(id) == 0.0)
       {
         CheckInside(check, scene, block, id, isNamed ? ids[ofWhole] : std::set<double>());
       }

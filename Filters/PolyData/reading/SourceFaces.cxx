@@ -4,6 +4,7 @@
 #include "PolyData/Hash.h"
 #include "PolyData/reading/LineChains.h"
 #include "Tolerance.h"
+#include "mesh/FacesWithoutArea.h"
 #include "mesh/PolygonTriangles.h"
 #include "mesh/SurfaceLocator.h"
 #include "mesh/SurfaceSnap.h"
@@ -35,6 +36,13 @@ struct FaceEdge
     return std::tie(this->ends, this->face, this->corner) <
       std::tie(other.ends, other.face, other.corner);
   }
+};
+
+/// A corner of one of several faces.
+struct CornerOfFace
+{
+  std::size_t face;
+  std::size_t corner;
 };
 
 /// The numbers of each face's corners: points at one place have one number.
@@ -223,6 +231,29 @@ Vec3 middleOf(const TriangleMesh& mesh, Id face)
   return (1.0 / 3.0) * (mesh.point(t[0]) + mesh.point(t[1]) + mesh.point(t[2]));
 }
 
+/// A part of a face, whose corners have numbers.
+///
+/// \param points of these numbers.
+/// \param firstAt the first corner of a face with each number; points without one are new.
+LocatedPolyline partOf(const LocatedPolyline& face, const Triangle& corners,
+  const std::vector<Vec3>& points, const std::vector<CornerOfFace>& firstAt,
+  const std::vector<LocatedPolyline>& faces)
+{
+  LocatedPolyline part;
+  part.name = face.name;
+  part.source = face.source;
+  part.closed = true;
+  for (const Id corner : corners)
+  {
+    const bool isNew = corner >= firstAt.size();
+    const LocatedPolyline& with = isNew ? face : faces[firstAt[corner].face];
+    part.points.push_back(points[corner]);
+    part.vertices.push_back(isNew ? NoId : with.vertexOf(firstAt[corner].corner));
+    part.pointNames.push_back(isNew ? face.name : with.nameOfPoint(firstAt[corner].corner));
+  }
+  return part;
+}
+
 /// Whether faces of a source cover faces of a surface.
 struct CoverTest
 {
@@ -312,6 +343,64 @@ std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
     }
   }
   return gone;
+}
+
+std::vector<std::vector<LocatedPolyline>> cutAtFacesWithoutArea(std::vector<LocatedPolyline>& faces)
+{
+  const std::vector<std::vector<std::uint64_t>> corners = numberCorners(faces);
+  std::vector<Vec3> points;
+  std::vector<CornerOfFace> firstAt;
+  std::vector<Triangle> triangles;
+  std::vector<std::size_t> faceOf;
+  for (std::size_t face = 0; face < faces.size(); ++face)
+  {
+    for (std::size_t i = 0; i < corners[face].size(); ++i)
+    {
+      if (corners[face][i] == points.size())
+      {
+        points.push_back(faces[face].points[i]);
+        firstAt.push_back({ face, i });
+      }
+    }
+    for (const Triangle& t : FaceTriangles::trianglesOf(faces[face].points))
+    {
+      const auto number = [&](std::size_t k) { return static_cast<Id>(corners[face][t[k]]); };
+      triangles.push_back({ number(0), number(1), number(2) });
+      faceOf.push_back(face);
+    }
+  }
+  std::vector<std::uint64_t> keys;
+  const CutTriangles cut =
+    removeFacesWithoutArea(points, keys, points.size(), triangles, {}, OneRank::instance());
+  std::vector<std::vector<LocatedPolyline>> parts(faces.size());
+  std::vector<bool> isCut(faces.size(), false);
+  for (std::size_t i = 0; i < cut.parts.size(); ++i)
+  {
+    const std::size_t face = faceOf[cut.triangles[i]];
+    const Triangle& part = cut.parts[i];
+    const std::array<Vec3, 3> at = { points[part[0]], points[part[1]], points[part[2]] };
+    const bool hasArea = !isWithoutArea(shapeOf(at), at);
+    isCut[face] = isCut[face] || part != triangles[cut.triangles[i]] || !hasArea;
+    if (hasArea)
+    {
+      parts[face].push_back(partOf(faces[face], part, points, firstAt, faces));
+    }
+  }
+  const bool isAnyLeft = std::any_of(
+    parts.begin(), parts.end(), [](const std::vector<LocatedPolyline>& p) { return !p.empty(); });
+  std::vector<LocatedPolyline> left;
+  std::vector<std::vector<LocatedPolyline>> partsLeft;
+  for (std::size_t face = 0; face < faces.size(); ++face)
+  {
+    const bool isWhole = !isAnyLeft || !isCut[face];
+    if (isWhole || !parts[face].empty())
+    {
+      partsLeft.push_back(isWhole ? std::vector<LocatedPolyline>{ faces[face] } : parts[face]);
+      left.push_back(std::move(faces[face]));
+    }
+  }
+  faces = std::move(left);
+  return partsLeft;
 }
 
 std::vector<LocatedPolyline> pointsInside(const std::vector<LocatedPolyline>& faces)

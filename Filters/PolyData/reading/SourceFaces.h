@@ -13,6 +13,12 @@
 namespace geodesic
 {
 
+/// Removes faces without area, unless none has an area, and cuts the others at their points, as
+/// those of a surface (removeFacesWithoutArea()).
+///
+/// \returns for each face that is left its parts: itself unless it is cut.
+std::vector<std::vector<LocatedPolyline>> cutAtFacesWithoutArea(std::vector<LocatedPolyline>& faces);
+
 /// Makes regions of the faces of a source. Its outline are the edges that one of its faces uses,
 /// joined to polylines; each runs in the direction of most of its edges in their faces, so that the
 /// region lies to its left. A face that is given twice counts once. A closed region has no outline:

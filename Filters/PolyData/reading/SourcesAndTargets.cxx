@@ -4,12 +4,15 @@
 #include "PolyData/reading/LineChains.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/SourceFaces.h"
+#include "Tolerance.h"
 #include "mesh/SurfaceSnap.h"
 
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -312,6 +315,16 @@ void removeIds(const std::vector<Id>& gone, std::vector<vtkIdType>& ids)
     ids.end());
 }
 
+std::set<Id> sourcesOf(const std::vector<LocatedPolyline>& lines)
+{
+  std::set<Id> sources;
+  for (const LocatedPolyline& line : lines)
+  {
+    sources.insert(line.source);
+  }
+  return sources;
+}
+
 /// Joins lines of one name to curves.
 void joinLines(const std::vector<vtkIdType>& names, SourcePolylines& sources)
 {
@@ -327,13 +340,24 @@ void joinLines(const std::vector<vtkIdType>& names, SourcePolylines& sources)
 /// joined.
 void joinFaces(const std::vector<vtkIdType>& names, bool areJoined, SourcePolylines& sources)
 {
-  std::vector<vtkIdType> values;
-  for (const LocatedPolyline& face : sources.faces)
+  std::vector<LocatedPolyline> parts;
+  std::vector<std::size_t> firstParts;
+  for (const std::vector<LocatedPolyline>& ofFace : sources.partsOfFaces)
   {
-    values.push_back(names.empty() ? static_cast<vtkIdType>(face.source) : names[face.source]);
+    firstParts.push_back(parts.size());
+    parts.insert(parts.end(), ofFace.begin(), ofFace.end());
+  }
+  std::vector<vtkIdType> values;
+  for (const LocatedPolyline& part : parts)
+  {
+    values.push_back(names.empty() ? static_cast<vtkIdType>(part.source) : names[part.source]);
   }
   const std::vector<Id> gone =
-    makeRegions(sources.faces, values, areJoined && names.empty(), sources.polylines);
+    makeRegions(parts, values, areJoined && names.empty(), sources.polylines);
+  for (std::size_t face = 0; face < sources.faces.size(); ++face)
+  {
+    sources.faces[face].source = parts[firstParts[face]].source;
+  }
   if (names.empty())
   {
     removeIds(gone, sources.ids);
@@ -347,8 +371,10 @@ void joinFaces(const std::vector<vtkIdType>& names, bool areJoined, SourcePolyli
 std::vector<RankAddress> barriersAt(
   const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
 {
+  // Open faces may have been cut beside a place (removeFacesWithoutArea).
   return surface.barriers
-    ? surface.barriers->barriersAt(located.places, located.faces, coordinatePrecision)
+    ? surface.barriers->barriersAt(
+        located.places, located.faces, std::max(coordinatePrecision, tolerance::WithoutArea))
     : std::vector<RankAddress>(located.places.size(), RankAddress{ 0, NoId });
 }
 
@@ -366,15 +392,18 @@ void leaveOutBarriers(const PolyDataSurface& surface, double coordinatePrecision
   const std::vector<LocatedPolyline> inside = pointsInside(sources.faces);
   const LocatedPlaces located = locator.locate(inside, coordinatePrecision, job);
   const std::vector<RankAddress> barriers = barriersAt(surface, located, coordinatePrecision);
-  std::vector<LocatedPolyline> left;
+  std::size_t left = 0;
   for (std::size_t i = 0; i < inside.size(); ++i)
   {
     if (barriers[located.indexOf(inside[i].points.front())].id == NoId)
     {
-      left.push_back(std::move(sources.faces[i]));
+      std::swap(sources.faces[left], sources.faces[i]);
+      std::swap(sources.partsOfFaces[left], sources.partsOfFaces[i]);
+      ++left;
     }
   }
-  sources.faces = std::move(left);
+  sources.faces.resize(left);
+  sources.partsOfFaces.resize(left);
   if (sources.faces.empty() && sources.polylines.empty())
   {
     throw SourceError("All of the source (input port 1) lies in barriers (BarrierArrayName), which "
@@ -511,8 +540,18 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PolyD
   const double precision = coordinatePrecisionOf(source);
   scalePoints(surface, precision, result.polylines);
   scalePoints(surface, precision, result.faces);
-  leaveOutBarriers(surface, precision, locator, job, result);
   const std::vector<vtkIdType> names = namesOfParts(source, result.ids);
+  const std::set<Id> before = sourcesOf(result.faces);
+  result.partsOfFaces = cutAtFacesWithoutArea(result.faces);
+  leaveOutBarriers(surface, precision, locator, job, result);
+  if (areLinesJoined && names.empty())
+  {
+    const std::set<Id> left = sourcesOf(result.faces);
+    std::vector<Id> gone;
+    std::set_difference(
+      before.begin(), before.end(), left.begin(), left.end(), std::back_inserter(gone));
+    removeIds(gone, result.ids);
+  }
   if (areLinesJoined)
   {
     joinLines(names, result);

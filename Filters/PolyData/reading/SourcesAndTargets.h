@@ -24,6 +24,8 @@ struct SourcePolylines
   std::vector<std::size_t> lines;
   /// The faces of regions, whose outlines are among the polylines; see SourceFaces.h.
   std::vector<LocatedPolyline> faces;
+  /// Each of these, cut at the points of faces without area.
+  std::vector<std::vector<LocatedPolyline>> partsOfFaces;
   /// The ids of the sources, ascending; LocatedPolyline::source is the place of one here. A cell of
   /// a vtkPolyData without points is a source, and has no polyline; a point that no vertex cell of
   /// a set of points has is none.
