@@ -160,7 +160,7 @@ public:
     double length = 0.0;
     for (const SourceCurve& curve : this->Inputs.sources.curves)
     {
-      length += lengthOf(this->Inputs.patch->mesh(), curve);
+      length += curve.isOutline ? lengthOf(this->Inputs.patch->mesh(), curve) : 0.0;
     }
     return this->Inputs.surface->scale.toUser(length);
   }

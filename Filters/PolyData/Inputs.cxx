@@ -199,17 +199,19 @@ struct InputReader
     const std::vector<PolyDataBlock>& blocks, SourcePatch& faces, const Job& locating) const
   {
     const PolyDataSurface& surface = this->cache.surface();
-    SourcePolylines source = readSource(blocks, surface, this->request.areLinesJoined);
+    const double outsideBarriers = surface.barriers ? 0.2 : 0.0;
+    SourcePolylines source = readSource(blocks, surface, this->request.areLinesJoined,
+      this->cache.locator(), locating.part(0.0, outsideBarriers));
     const double precision = coordinatePrecisionOf(blocks);
-    LocatedPlaces located =
-      this->cache.locator().locate(source.polylines, precision, locating.part(0.0, 0.9));
+    LocatedPlaces located = this->cache.locator().locate(
+      source.polylines, precision, locating.part(outsideBarriers, 0.9));
     requireOutsideBarriers(surface, surfaceBlocks, source.polylines, located, precision);
     this->cache.locator().keepOnOneSide(
       source.polylines, precision, located, locating.part(0.9, 1.0));
     faces.addFacesAround(located);
     if (surface.partition.isDistributed() && !source.faces.empty())
     {
-      faces.addFaces(this->ownCoveredFaces(source.faces, precision, locating.part(1.0, 1.0)));
+      this->addCoveredFaces(source.faces, precision, locating.part(1.0, 1.0), faces);
     }
     ReplicatedPatch patch = faces.make();
     located.setFaces(patch, source.polylines);
@@ -240,6 +242,7 @@ struct InputReader
     {
       noteSides(mesh, source, curves, this->notes);
     }
+    addBorders(mesh, curves.curves);
     const bool areNamed = std::any_of(blocks.begin(), blocks.end(),
       [](const PolyDataBlock& block) { return !block.sourceIds.empty(); });
     const auto count = static_cast<Id>(source.ids.size());
@@ -248,21 +251,15 @@ struct InputReader
       source.idEnd };
   }
 
-  /// The faces of this rank that belong to the source as a whole.
-  std::vector<Id> ownCoveredFaces(
-    const std::vector<LocatedPolyline>& faces, double precision, const Job& job) const
+  /// Adds the faces of this rank that belong to the source as a whole, and those around them.
+  void addCoveredFaces(const std::vector<LocatedPolyline>& sourceFaces, double precision,
+    const Job& job, SourcePatch& faces) const
   {
-    const MeshPartition& partition = this->cache.surface().partition;
-    std::vector<Id> own;
     for (const CoveredFace& covered :
-      findCoveredFaces(partition.mesh(), faces, precision, true, job))
+      findCoveredFaces(this->cache.surface().partition.mesh(), sourceFaces, precision, true, job))
     {
-      if (partition.isOwn(covered.face))
-      {
-        own.push_back(covered.face);
-      }
+      faces.addFacesAround(covered.face);
     }
-    return own;
   }
 
   /// Puts polylines onto the surface, with the faces that their regions cover.
@@ -272,9 +269,13 @@ struct InputReader
     SourceCurves curves = putOntoSurface(mesh, source.polylines, precision, join, job);
     coverFaces(
       findCoveredFaces(mesh, source.faces, precision, false, job.part(1.0, 1.0)), curves.curves);
-    std::vector<SourceCurve> branches = curvesWhereRegionsBranch(mesh, curves.curves);
-    std::move(branches.begin(), branches.end(), std::back_inserter(curves.curves));
     return curves;
+  }
+
+  static void addBorders(const TriangleMesh& mesh, std::vector<SourceCurve>& curves)
+  {
+    std::vector<SourceCurve> borders = bordersWithoutCurves(mesh, curves);
+    std::move(borders.begin(), borders.end(), std::back_inserter(curves));
   }
 
   /// Gives faces to the first curve of their source, which has one.
@@ -358,6 +359,7 @@ struct InputReader
     located.setFaces(patch, read.polylines);
     SourceCurves curves = curvesOn(
       patch.mesh(), read, precision, joinByShortestPaths(patch.mesh()), job.part(0.9, 1.0));
+    addBorders(patch.mesh(), curves.curves);
     const NoteOn input = this->request.targets ? NoteOn::Targets : NoteOn::Source;
     noteTargetSets(surface, patch.mesh(), read, input, this->notes);
     return { std::move(curves), std::move(read.ids), true, 0, std::move(read.names) };

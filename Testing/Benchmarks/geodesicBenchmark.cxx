@@ -341,10 +341,10 @@ std::vector<geodesic::SourceCurve> makeCurves(
   }
   const std::vector<geodesic::PolyDataBlock> blocks =
     geodesic::polyDataBlocks(source.curves, geodesic::PartName("the source"));
-  geodesic::SourcePolylines read = geodesic::readSource(blocks, surface, true);
+  geodesic::PolylineLocator locator(surface.partition);
+  geodesic::SourcePolylines read = geodesic::readSource(blocks, surface, true, locator, {});
   const double precision = geodesic::coordinatePrecisionOf(blocks);
-  geodesic::PolylineLocator(surface.partition)
-    .locate(read.polylines, precision)
+  locator.locate(read.polylines, precision)
     .setFaces(geodesic::ReplicatedPatch(surface.mesh()), read.polylines);
   return geodesic::putOntoSurface(
     surface.mesh(), read.polylines, precision, geodesic::joinByShortestPaths(surface.mesh()))

@@ -3,53 +3,73 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <unordered_map>
+#include <map>
+#include <unordered_set>
 
 namespace geodesic
 {
 
-std::vector<SourceCurve> curvesWhereRegionsBranch(
+namespace
+{
+
+/// The edges along which a segment of a curve runs from end to end.
+std::unordered_set<Id> edgesAlong(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
+{
+  std::unordered_set<Id> edges;
+  for (const SourceCurve& curve : curves)
+  {
+    for (std::size_t i = 0; i + 1 < curve.points.size(); ++i)
+    {
+      const SurfacePoint& a = curve.points[i];
+      const SurfacePoint& b = curve.points[i + 1];
+      const Id halfedge =
+        a.kind == SurfacePoint::Kind::Vertex && b.kind == SurfacePoint::Kind::Vertex
+        ? mesh.halfedgeBetween(a.id, b.id)
+        : NoId;
+      if (halfedge != NoId)
+      {
+        edges.insert(mesh.edgeOf(halfedge));
+      }
+    }
+  }
+  return edges;
+}
+
+} // anonymous namespace
+
+std::vector<SourceCurve> bordersWithoutCurves(
   const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
 {
-  std::unordered_map<Id, std::vector<Id>> sourcesOfFaces;
+  std::map<Id, Id> sourceOf;
   for (const SourceCurve& curve : curves)
   {
     for (const Id face : curve.coveredFaces)
     {
-      sourcesOfFaces[face].push_back(curve.source);
+      sourceOf.emplace(face, curve.source);
     }
   }
   std::vector<SourceCurve> result;
-  if (sourcesOfFaces.empty() || mesh.numberOfNonManifoldEdges() == 0)
+  if (sourceOf.empty())
   {
     return result;
   }
-  for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+  std::unordered_set<Id> known = edgesAlong(mesh, curves);
+  for (const auto& [face, source] : sourceOf)
   {
-    if (mesh.edgeOf(halfedge) != halfedge)
+    for (const Id halfedge : TriangleMesh::halfedgesOf(face))
     {
-      continue;
-    }
-    std::unordered_map<Id, std::size_t> uses;
-    Id outside = NoId;
-    Id s = halfedge;
-    do
-    {
-      const auto found = sourcesOfFaces.find(TriangleMesh::faceOf(s));
-      outside = found == sourcesOfFaces.end() ? TriangleMesh::faceOf(s) : outside;
-      for (const Id source : found == sourcesOfFaces.end() ? std::vector<Id>() : found->second)
+      Id outside = NoId;
+      for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
       {
-        ++uses[source];
+        outside = sourceOf.count(TriangleMesh::faceOf(s)) == 0 ? TriangleMesh::faceOf(s) : outside;
       }
-      s = mesh.nextSibling(s);
-    } while (s != halfedge);
-    const auto branching =
-      std::find_if(uses.begin(), uses.end(), [](const auto& use) { return use.second > 1; });
-    if (outside != NoId && branching != uses.end())
-    {
-      result.push_back({ { SurfacePoint::atVertex(mesh.origin(halfedge)),
-                           SurfacePoint::atVertex(mesh.destination(halfedge)) },
-        { outside }, { 0, 0 }, branching->first });
+      if (outside != NoId && known.insert(mesh.edgeOf(halfedge)).second)
+      {
+        result.push_back({ { SurfacePoint::atVertex(mesh.origin(halfedge)),
+                             SurfacePoint::atVertex(mesh.destination(halfedge)) },
+          { outside }, { 0, 0 }, source });
+        result.back().isOutline = false;
+      }
     }
   }
   return result;

@@ -28,6 +28,8 @@ struct SourceCurve
   /// several, one of which names the faces. A region without an outline is a closed component: one
   /// of its points is its curve.
   std::vector<Id> coveredFaces = {};
+  /// False for bordersWithoutCurves(): it does not count to the length of the source.
+  bool isOutline = true;
 
   bool isClosed() const
   {
@@ -42,9 +44,10 @@ inline SourceCurve pointCurve(const SurfacePoint& point)
   return { { point }, {}, { 0 } };
 }
 
-/// The curves along edges of three and more faces at which regions branch: two faces or more of one
-/// region meet others of no region there, so that no outline runs along the edge.
-std::vector<SourceCurve> curvesWhereRegionsBranch(
+/// The edges at which covered faces meet others though no curve runs along: edges of three and more
+/// faces at which a region branches, and edges beside which its outline runs by a rounding. Each is
+/// a curve with the region to its left.
+std::vector<SourceCurve> bordersWithoutCurves(
   const TriangleMesh& mesh, const std::vector<SourceCurve>& curves);
 
 /// The length of the segment from point i to point i + 1 of a curve.

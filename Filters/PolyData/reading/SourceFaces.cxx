@@ -4,6 +4,7 @@
 #include "PolyData/Hash.h"
 #include "PolyData/reading/LineChains.h"
 #include "Tolerance.h"
+#include "mesh/FacesWithoutArea.h"
 #include "mesh/PolygonTriangles.h"
 #include "mesh/SurfaceLocator.h"
 #include "mesh/SurfaceSnap.h"
@@ -12,6 +13,7 @@
 #include <array>
 #include <iterator>
 #include <numeric>
+#include <set>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -36,25 +38,42 @@ struct FaceEdge
   }
 };
 
-/// The edges that have a length, equal ones side by side.
-std::vector<FaceEdge> edgesOf(const std::vector<LocatedPolyline>& faces)
+/// A corner of one of several faces.
+struct CornerOfFace
+{
+  std::size_t face;
+  std::size_t corner;
+};
+
+/// The numbers of each face's corners: points at one place have one number.
+std::vector<std::vector<std::uint64_t>> numberCorners(const std::vector<LocatedPolyline>& faces)
 {
   using Place = std::array<double, 4>;
   std::unordered_map<Place, std::uint64_t, Hash> numbers;
-  const auto numberOf = [&numbers](const LocatedPolyline& face, std::size_t i)
-  {
-    const Vec3 p = face.points[i] + Vec3{}; // -0 and 0 are one place
-    const Place place = { p[0], p[1], p[2], static_cast<double>(face.vertexOf(i)) };
-    return numbers.emplace(place, numbers.size()).first->second;
-  };
-  std::vector<FaceEdge> edges;
+  std::vector<std::vector<std::uint64_t>> corners(faces.size());
   for (std::size_t face = 0; face < faces.size(); ++face)
   {
-    const std::size_t count = faces[face].points.size();
+    for (std::size_t i = 0; i < faces[face].points.size(); ++i)
+    {
+      const Vec3 p = faces[face].points[i] + Vec3{}; // -0 and 0 are one place
+      const Place place = { p[0], p[1], p[2], static_cast<double>(faces[face].vertexOf(i)) };
+      corners[face].push_back(numbers.emplace(place, numbers.size()).first->second);
+    }
+  }
+  return corners;
+}
+
+/// The edges that have a length, equal ones side by side.
+std::vector<FaceEdge> edgesOf(const std::vector<std::vector<std::uint64_t>>& corners)
+{
+  std::vector<FaceEdge> edges;
+  for (std::size_t face = 0; face < corners.size(); ++face)
+  {
+    const std::size_t count = corners[face].size();
     for (std::size_t i = 0; i < count; ++i)
     {
-      const std::uint64_t a = numberOf(faces[face], i);
-      const std::uint64_t b = numberOf(faces[face], (i + 1) % count);
+      const std::uint64_t a = corners[face][i];
+      const std::uint64_t b = corners[face][(i + 1) % count];
       if (a != b)
       {
         edges.push_back({ { std::min(a, b), std::max(a, b) }, face, i });
@@ -134,9 +153,29 @@ std::vector<Id> takeSourcesOfRegions(RegionsOfFaces& regions, std::vector<Locate
   return gone;
 }
 
-/// The edges that only one face of a region uses.
-std::vector<FaceEdge> outlinesOf(RegionsOfFaces& regions, const std::vector<FaceEdge>& edges)
+/// Whether each face repeats another of its region, as a ghost cell does.
+std::vector<bool> findRepeats(
+  RegionsOfFaces& regions, std::vector<std::vector<std::uint64_t>> corners)
 {
+  std::set<std::vector<std::uint64_t>> known;
+  std::vector<bool> isRepeat;
+  for (std::size_t face = 0; face < corners.size(); ++face)
+  {
+    std::sort(corners[face].begin(), corners[face].end());
+    corners[face].push_back(regions.of(face));
+    isRepeat.push_back(!known.insert(std::move(corners[face])).second);
+  }
+  return isRepeat;
+}
+
+/// The edges that only one face of a region uses, apart from those that repeat another.
+std::vector<FaceEdge> outlinesOf(RegionsOfFaces& regions,
+  const std::vector<std::vector<std::uint64_t>>& corners, std::vector<FaceEdge> edges)
+{
+  const std::vector<bool> isRepeat = findRepeats(regions, corners);
+  edges.erase(std::remove_if(edges.begin(), edges.end(),
+                [&](const FaceEdge& edge) { return isRepeat[edge.face]; }),
+    edges.end());
   std::vector<FaceEdge> outlines;
   std::unordered_map<std::size_t, std::size_t> uses;
   for (auto edge = edges.begin(); edge != edges.end();)
@@ -192,6 +231,29 @@ Vec3 middleOf(const TriangleMesh& mesh, Id face)
   return (1.0 / 3.0) * (mesh.point(t[0]) + mesh.point(t[1]) + mesh.point(t[2]));
 }
 
+/// A part of a face, whose corners have numbers.
+///
+/// \param points of these numbers.
+/// \param firstAt the first corner of a face with each number; points without one are new.
+LocatedPolyline partOf(const LocatedPolyline& face, const Triangle& corners,
+  const std::vector<Vec3>& points, const std::vector<CornerOfFace>& firstAt,
+  const std::vector<LocatedPolyline>& faces)
+{
+  LocatedPolyline part;
+  part.name = face.name;
+  part.source = face.source;
+  part.closed = true;
+  for (const Id corner : corners)
+  {
+    const bool isNew = corner >= firstAt.size();
+    const LocatedPolyline& with = isNew ? face : faces[firstAt[corner].face];
+    part.points.push_back(points[corner]);
+    part.vertices.push_back(isNew ? NoId : with.vertexOf(firstAt[corner].corner));
+    part.pointNames.push_back(isNew ? face.name : with.nameOfPoint(firstAt[corner].corner));
+  }
+  return part;
+}
+
 /// Whether faces of a source cover faces of a surface.
 struct CoverTest
 {
@@ -227,9 +289,11 @@ struct CoverTest
   {
     for (std::size_t t = this->source.first[by]; t < this->source.first[by + 1]; ++t)
     {
-      const SnappedPoint there =
-        snapToFace(this->sourceMesh, static_cast<Id>(t), point, this->precision);
-      if (there.distance <= there.tolerance)
+      const auto triangle = static_cast<Id>(t);
+      const SnappedPoint there = snapToFace(this->sourceMesh, triangle, point, this->precision);
+      // Where faces without area were, those at their edge were cut beside it.
+      const double cut = tolerance::WithoutArea * this->sourceMesh.shape(triangle).longest();
+      if (there.distance <= std::max(there.tolerance, cut))
       {
         return true;
       }
@@ -249,7 +313,8 @@ std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
   {
     regions.join(withValue.emplace(values[face], face).first->second, face);
   }
-  const std::vector<FaceEdge> edges = edgesOf(faces);
+  const std::vector<std::vector<std::uint64_t>> corners = numberCorners(faces);
+  const std::vector<FaceEdge> edges = edgesOf(corners);
   for (std::size_t i = 1; areJoined && i < edges.size(); ++i)
   {
     if (edges[i].ends == edges[i - 1].ends)
@@ -261,7 +326,7 @@ std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
   std::vector<std::size_t> lines;
   std::vector<vtkIdType> regionOfLine;
   std::vector<bool> hasOutline(faces.size(), false);
-  for (const FaceEdge& edge : outlinesOf(regions, edges))
+  for (const FaceEdge& edge : outlinesOf(regions, corners, edges))
   {
     const std::size_t region = regions.of(edge.face);
     hasOutline[region] = true;
@@ -278,6 +343,86 @@ std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
     }
   }
   return gone;
+}
+
+std::vector<std::vector<LocatedPolyline>> cutAtFacesWithoutArea(std::vector<LocatedPolyline>& faces)
+{
+  const std::vector<std::vector<std::uint64_t>> corners = numberCorners(faces);
+  std::vector<Vec3> points;
+  std::vector<CornerOfFace> firstAt;
+  std::vector<Triangle> triangles;
+  std::vector<std::size_t> faceOf;
+  for (std::size_t face = 0; face < faces.size(); ++face)
+  {
+    for (std::size_t i = 0; i < corners[face].size(); ++i)
+    {
+      if (corners[face][i] == points.size())
+      {
+        points.push_back(faces[face].points[i]);
+        firstAt.push_back({ face, i });
+      }
+    }
+    for (const Triangle& t : FaceTriangles::trianglesOf(faces[face].points))
+    {
+      const auto number = [&](std::size_t k) { return static_cast<Id>(corners[face][t[k]]); };
+      triangles.push_back({ number(0), number(1), number(2) });
+      faceOf.push_back(face);
+    }
+  }
+  std::vector<std::uint64_t> keys;
+  const CutTriangles cut =
+    removeFacesWithoutArea(points, keys, points.size(), triangles, {}, OneRank::instance());
+  std::vector<std::vector<LocatedPolyline>> parts(faces.size());
+  std::vector<bool> isCut(faces.size(), false);
+  for (std::size_t i = 0; i < cut.parts.size(); ++i)
+  {
+    const std::size_t face = faceOf[cut.triangles[i]];
+    const Triangle& part = cut.parts[i];
+    const std::array<Vec3, 3> at = { points[part[0]], points[part[1]], points[part[2]] };
+    const bool hasArea = !isWithoutArea(shapeOf(at), at);
+    isCut[face] = isCut[face] || part != triangles[cut.triangles[i]] || !hasArea;
+    if (hasArea)
+    {
+      parts[face].push_back(partOf(faces[face], part, points, firstAt, faces));
+    }
+  }
+  const bool isAnyLeft = std::any_of(
+    parts.begin(), parts.end(), [](const std::vector<LocatedPolyline>& p) { return !p.empty(); });
+  std::vector<LocatedPolyline> left;
+  std::vector<std::vector<LocatedPolyline>> partsLeft;
+  for (std::size_t face = 0; face < faces.size(); ++face)
+  {
+    const bool isWhole = !isAnyLeft || !isCut[face];
+    if (isWhole || !parts[face].empty())
+    {
+      partsLeft.push_back(isWhole ? std::vector<LocatedPolyline>{ faces[face] } : parts[face]);
+      left.push_back(std::move(faces[face]));
+    }
+  }
+  faces = std::move(left);
+  return partsLeft;
+}
+
+std::vector<LocatedPolyline> pointsInside(const std::vector<LocatedPolyline>& faces)
+{
+  const FaceTriangles source(faces);
+  const TriangleMesh mesh(source.points, source.triangles);
+  std::vector<LocatedPolyline> inside;
+  for (const LocatedPolyline& face : faces)
+  {
+    inside.push_back(firstPointOf(face));
+  }
+  std::vector<double> largest(faces.size(), -1.0);
+  for (Id triangle = 0; triangle < mesh.numberOfFaces(); ++triangle)
+  {
+    const std::size_t face = source.faces[mesh.inputFace(triangle)];
+    if (mesh.shape(triangle).area2 > largest[face])
+    {
+      largest[face] = mesh.shape(triangle).area2;
+      inside[face].points = { middleOf(mesh, triangle) };
+    }
+  }
+  return inside;
 }
 
 std::vector<CoveredFace> findCoveredFaces(const TriangleMesh& surface,

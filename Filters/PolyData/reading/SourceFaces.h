@@ -13,9 +13,16 @@
 namespace geodesic
 {
 
+/// Removes faces without area, unless none has an area, and cuts the others at their points, as
+/// those of a surface (removeFacesWithoutArea()).
+///
+/// \returns for each face that is left its parts: itself unless it is cut.
+std::vector<std::vector<LocatedPolyline>> cutAtFacesWithoutArea(std::vector<LocatedPolyline>& faces);
+
 /// Makes regions of the faces of a source. Its outline are the edges that one of its faces uses,
 /// joined to polylines; each runs in the direction of most of its edges in their faces, so that the
-/// region lies to its left. A closed region has no outline: its first point stands for it.
+/// region lies to its left. A face that is given twice counts once. A closed region has no outline:
+/// its first point stands for it.
 ///
 /// Faces with one value are one region. If faces are joined, so are those with a common edge. Edges
 /// are the same if the coordinates of their ends are equal and are one vertex.
@@ -27,6 +34,9 @@ namespace geodesic
 /// \returns the sources that are gone because faces were joined, ascending.
 std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
   const std::vector<vtkIdType>& values, bool areJoined, std::vector<LocatedPolyline>& polylines);
+
+/// A point inside each face, where it is widest, as a polyline of one point.
+std::vector<LocatedPolyline> pointsInside(const std::vector<LocatedPolyline>& faces);
 
 /// A face of a surface that belongs to a source.
 struct CoveredFace

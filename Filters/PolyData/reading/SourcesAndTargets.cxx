@@ -4,12 +4,15 @@
 #include "PolyData/reading/LineChains.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/SourceFaces.h"
+#include "Tolerance.h"
 #include "mesh/SurfaceSnap.h"
 
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -321,6 +324,16 @@ void removeIds(const std::vector<Id>& gone, std::vector<vtkIdType>& ids)
     ids.end());
 }
 
+std::set<Id> sourcesOf(const std::vector<LocatedPolyline>& lines)
+{
+  std::set<Id> sources;
+  for (const LocatedPolyline& line : lines)
+  {
+    sources.insert(line.source);
+  }
+  return sources;
+}
+
 /// Joins lines of one name to curves.
 void joinLines(const std::vector<vtkIdType>& names, SourcePolylines& sources)
 {
@@ -336,17 +349,85 @@ void joinLines(const std::vector<vtkIdType>& names, SourcePolylines& sources)
 /// joined.
 void joinFaces(const std::vector<vtkIdType>& names, bool areJoined, SourcePolylines& sources)
 {
-  std::vector<vtkIdType> values;
-  for (const LocatedPolyline& face : sources.faces)
+  std::vector<LocatedPolyline> parts;
+  std::vector<std::size_t> firstParts;
+  for (const std::vector<LocatedPolyline>& ofFace : sources.partsOfFaces)
   {
-    values.push_back(names.empty() ? static_cast<vtkIdType>(face.source) : names[face.source]);
+    firstParts.push_back(parts.size());
+    parts.insert(parts.end(), ofFace.begin(), ofFace.end());
+  }
+  std::vector<vtkIdType> values;
+  for (const LocatedPolyline& part : parts)
+  {
+    values.push_back(names.empty() ? static_cast<vtkIdType>(part.source) : names[part.source]);
   }
   const std::vector<Id> gone =
-    makeRegions(sources.faces, values, areJoined && names.empty(), sources.polylines);
+    makeRegions(parts, values, areJoined && names.empty(), sources.polylines);
+  for (std::size_t face = 0; face < sources.faces.size(); ++face)
+  {
+    sources.faces[face].source = parts[firstParts[face]].source;
+  }
   if (names.empty())
   {
     removeIds(gone, sources.ids);
   }
+}
+
+/// For each place the barrier that it lies in, a face of surface.barriers->surface(); the id is
+/// NoId if it lies in none. All ranks call this together.
+///
+/// \param coordinatePrecision relative precision of the points' coordinates.
+std::vector<RankAddress> barriersAt(
+  const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
+{
+  // Open faces may have been cut beside a place (removeFacesWithoutArea).
+  return surface.barriers ? surface.barriers->barriersAt(located.places, located.faces,
+                              std::max(coordinatePrecision, tolerance::WithoutArea))
+                          : std::vector<RankAddress>(located.places.size(), RankAddress{ 0, NoId });
+}
+
+/// Leaves out faces that lie in barriers, which are no faces of the surface. All ranks call this
+/// together.
+///
+/// \throws SourceError if they are all of the source.
+void leaveOutBarriers(const PolyDataSurface& surface, double coordinatePrecision,
+  PolylineLocator& locator, const Job& job, SourcePolylines& sources)
+{
+  if (!surface.barriers || sources.faces.empty())
+  {
+    return;
+  }
+  const std::vector<LocatedPolyline> inside = pointsInside(sources.faces);
+  const LocatedPlaces located = locator.locate(inside, coordinatePrecision, job);
+  const std::vector<RankAddress> barriers = barriersAt(surface, located, coordinatePrecision);
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < inside.size(); ++i)
+  {
+    if (barriers[located.indexOf(inside[i].points.front())].id == NoId)
+    {
+      std::swap(sources.faces[left], sources.faces[i]);
+      std::swap(sources.partsOfFaces[left], sources.partsOfFaces[i]);
+      ++left;
+    }
+  }
+  sources.faces.resize(left);
+  sources.partsOfFaces.resize(left);
+  if (sources.faces.empty() && sources.polylines.empty())
+  {
+    throw SourceError("All of the source (input port 1) lies in barriers (BarrierArrayName), which "
+                      "no path may leave. Choose faces outside of barriers.");
+  }
+}
+
+/// The sources that are among those with faces no more, ascending.
+std::vector<Id> sourcesWithoutFaces(
+  const std::set<Id>& before, const std::vector<LocatedPolyline>& faces)
+{
+  const std::set<Id> left = sourcesOf(faces);
+  std::vector<Id> gone;
+  std::set_difference(
+    before.begin(), before.end(), left.begin(), left.end(), std::back_inserter(gone));
+  return gone;
 }
 
 /// The polylines and faces of all blocks, on the surface's scale.
@@ -374,10 +455,15 @@ SourcePolylines readPolylines(
 /// Makes sources of polylines and faces.
 ///
 /// \param array as namesOfParts().
+/// \param before the sources that had faces when they were read.
 void makeParts(const std::vector<PolyDataBlock>& source, const std::string& array,
-  bool areLinesJoined, SourcePolylines& result)
+  bool areLinesJoined, const std::set<Id>& before, SourcePolylines& result)
 {
   const std::vector<vtkIdType> names = namesOfParts(source, result.ids, array);
+  if (areLinesJoined && names.empty())
+  {
+    removeIds(sourcesWithoutFaces(before, result.faces), result.ids);
+  }
   if (areLinesJoined)
   {
     joinLines(names, result);
@@ -427,18 +513,6 @@ std::string nameOfBarrier(const PolyDataSurface& surface,
 
 /// The share of the job for finding the closest faces.
 constexpr double Located = 0.8;
-
-/// For each place the barrier that it lies in, a face of surface.barriers->surface(); the id is
-/// NoId if it lies in none. All ranks call this together.
-///
-/// \param coordinatePrecision relative precision of the points' coordinates.
-std::vector<RankAddress> barriersAt(
-  const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
-{
-  return surface.barriers
-    ? surface.barriers->barriersAt(located.places, located.faces, coordinatePrecision)
-    : std::vector<RankAddress>(located.places.size(), RankAddress{ 0, NoId });
-}
 
 /// The targets, as polylines of one point each.
 std::vector<LocatedPolyline> readPoints(
@@ -508,15 +582,18 @@ OwnPlace snapToOwnFace(const MeshPartition& surface, const Vec3& point,
 
 }
 
-SourcePolylines readSource(
-  const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface, bool areLinesJoined)
+SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface,
+  bool areLinesJoined, PolylineLocator& locator, const Job& job)
 {
   SourcePolylines result = readPolylines(source, surface, false);
   if (result.polylines.empty() && result.faces.empty())
   {
     throwEmpty(result);
   }
-  makeParts(source, "the parts of the source (SourceIdArrayName)", areLinesJoined, result);
+  const std::set<Id> before = sourcesOf(result.faces);
+  result.partsOfFaces = cutAtFacesWithoutArea(result.faces);
+  leaveOutBarriers(surface, coordinatePrecisionOf(source), locator, job, result);
+  makeParts(source, "the parts of the source (SourceIdArrayName)", areLinesJoined, before, result);
   return result;
 }
 
@@ -530,7 +607,9 @@ SourcePolylines readTargetSets(
       " has no target: no point, line or flat face has a value of at least 0 in the array of "
       "TargetIdArrayName. Negative values stand for none.");
   }
-  makeParts(blocks, "targets (TargetIdArrayName)", true, result);
+  const std::set<Id> before = sourcesOf(result.faces);
+  result.partsOfFaces = cutAtFacesWithoutArea(result.faces);
+  makeParts(blocks, "targets (TargetIdArrayName)", true, before, result);
   return result;
 }
 

@@ -24,6 +24,8 @@ struct SourcePolylines
   std::vector<std::size_t> lines;
   /// The faces of regions, whose outlines are among the polylines; see SourceFaces.h.
   std::vector<LocatedPolyline> faces;
+  /// Each of these, cut at the points of faces without area.
+  std::vector<std::vector<LocatedPolyline>> partsOfFaces;
   /// The ids of the sources, ascending; LocatedPolyline::source is the place of one here. A cell of
   /// a vtkPolyData without points is a source, and has no polyline; a point that no vertex cell of
   /// a set of points has is none.
@@ -47,9 +49,11 @@ struct SourcePolylines
 ///        points and lie there are this vertex.
 /// \param areLinesJoined whether cells of two points that meet are one curve (LineChains.h), and
 ///        faces with a common edge one region, where no values tell what is one source.
-/// \throws SourceError where there is no point, one is not finite, or a value is no id.
-SourcePolylines readSource(
-  const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface, bool areLinesJoined);
+/// Faces that lie in barriers are left out. All ranks call this together.
+/// \throws SourceError where there is no point, one is not finite, or a value is no id, or if all
+///         lies in barriers; Aborted.
+SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface,
+  bool areLinesJoined, PolylineLocator& locator, const Job& job);
 
 /// Reads sets of targets in the same way: all that has one value of PolyDataBlock::sourceIds is
 /// one, and what has a negative one is none.

@@ -101,7 +101,7 @@ private:
       }
     }
     const std::vector<SourceCurve> branches =
-      geodesic::curvesWhereRegionsBranch(this->mesh, this->curves);
+      geodesic::bordersWithoutCurves(this->mesh, this->curves);
     this->curves.insert(this->curves.end(), branches.begin(), branches.end());
   }
 
