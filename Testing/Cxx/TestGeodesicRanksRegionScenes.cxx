@@ -75,7 +75,7 @@ double ErrorOfPart(const RegionScene& scene, vtkPolyData* output, const std::vec
 
 double CheckScene(Check& check, Ranks ranks, RegionScene& scene)
 {
-  geodesictest::Random random(std::hash<std::string>()(scene.name));
+  geodesictest::Random random(SeedOf(scene.name));
   const auto whole = SurfaceWithRegions(scene);
   const bool hasGlobalIds = random.chance(0.5);
   const bool hasGhosts = random.chance(0.5);

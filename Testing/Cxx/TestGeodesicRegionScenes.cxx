@@ -113,7 +113,7 @@ vtkSmartPointer<vtkDataObject> AnySourceOf(const RegionScene& scene, geodesictes
 
 double CheckScene(Check& check, RegionScene& scene)
 {
-  geodesictest::Random random(std::hash<std::string>()(scene.name));
+  geodesictest::Random random(SeedOf(scene.name));
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->RefineMeshOff();
   AskForAllArrays(filter);

@@ -37,6 +37,28 @@ std::vector<Id> verticesAround(const TriangleMesh& mesh, const SurfacePoint& poi
   return result;
 }
 
+/// The straight distance from a point to a vertex of its faces, by the lengths of edges: faces
+/// without area that conduct have a height that they do not have in space.
+double distanceInFaces(const TriangleMesh& mesh, const SurfacePoint& point, Id vertex)
+{
+  double distance = Infinity;
+  forEachFace(mesh, point,
+    [&](Id face)
+    {
+      const Triangle& corners = mesh.triangle(face);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        if (corners[k] == vertex)
+        {
+          const Vec2 way = wayInFrame(mesh, longestHalfedge(mesh, face),
+            barycentric(mesh, point, face), cornerWeights(k));
+          distance = std::min(distance, norm(way));
+        }
+      }
+    });
+  return distance;
+}
+
 struct QueuedVertex
 {
   double estimate;
@@ -67,7 +89,7 @@ double lengthAlongEdges(
   };
   for (const Id vertex : verticesAround(mesh, first))
   {
-    shorten(vertex, distanceInSpace(mesh, mesh.point(vertex), first));
+    shorten(vertex, distanceInFaces(mesh, first, vertex));
   }
   const std::vector<Id> goals = verticesAround(mesh, second); // the way from there is straight
   double best = Infinity;
@@ -78,7 +100,9 @@ double lengthAlongEdges(
     if (top.length == lengthTo[top.vertex])
     {
       const bool isGoal = std::find(goals.begin(), goals.end(), top.vertex) != goals.end();
-      best = isGoal ? top.estimate : best;
+      best = isGoal
+        ? std::min(best, top.length + distanceInFaces(mesh, second, top.vertex))
+        : best;
       for (const Id corner : mesh.cornersAt(top.vertex))
       {
         const Id previous = TriangleMesh::previousInFace(corner);

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <unordered_set>
+#include <set>
+#include <utility>
 
 namespace geodesic
 {
@@ -12,10 +13,13 @@ namespace geodesic
 namespace
 {
 
+/// Edges by their source.
+using EdgesOfSources = std::set<std::pair<Id, Id>>;
+
 /// The edges along which a segment of a curve runs from end to end.
-std::unordered_set<Id> edgesAlong(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
+EdgesOfSources edgesAlong(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
 {
-  std::unordered_set<Id> edges;
+  EdgesOfSources edges;
   for (const SourceCurve& curve : curves)
   {
     for (std::size_t i = 0; i + 1 < curve.points.size(); ++i)
@@ -28,11 +32,24 @@ std::unordered_set<Id> edgesAlong(const TriangleMesh& mesh, const std::vector<So
         : NoId;
       if (halfedge != NoId)
       {
-        edges.insert(mesh.edgeOf(halfedge));
+        edges.emplace(curve.source, mesh.edgeOf(halfedge));
       }
     }
   }
   return edges;
+}
+
+/// Another face at a halfedge that is not among those of a source; NoId if there is none.
+Id faceOutside(const TriangleMesh& mesh, Id halfedge, const std::set<Id>& covered)
+{
+  for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
+  {
+    if (covered.count(TriangleMesh::faceOf(s)) == 0)
+    {
+      return TriangleMesh::faceOf(s);
+    }
+  }
+  return NoId;
 }
 
 } // anonymous namespace
@@ -40,35 +57,34 @@ std::unordered_set<Id> edgesAlong(const TriangleMesh& mesh, const std::vector<So
 std::vector<SourceCurve> bordersWithoutCurves(
   const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
 {
-  std::map<Id, Id> sourceOf;
+  std::map<Id, std::set<Id>> coveredBy;
   for (const SourceCurve& curve : curves)
   {
-    for (const Id face : curve.coveredFaces)
+    if (!curve.coveredFaces.empty())
     {
-      sourceOf.emplace(face, curve.source);
+      coveredBy[curve.source].insert(curve.coveredFaces.begin(), curve.coveredFaces.end());
     }
   }
   std::vector<SourceCurve> result;
-  if (sourceOf.empty())
+  if (coveredBy.empty())
   {
     return result;
   }
-  std::unordered_set<Id> known = edgesAlong(mesh, curves);
-  for (const auto& [face, source] : sourceOf)
+  EdgesOfSources known = edgesAlong(mesh, curves);
+  for (const auto& [source, covered] : coveredBy)
   {
-    for (const Id halfedge : TriangleMesh::halfedgesOf(face))
+    for (const Id face : covered)
     {
-      Id outside = NoId;
-      for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
+      for (const Id halfedge : TriangleMesh::halfedgesOf(face))
       {
-        outside = sourceOf.count(TriangleMesh::faceOf(s)) == 0 ? TriangleMesh::faceOf(s) : outside;
-      }
-      if (outside != NoId && known.insert(mesh.edgeOf(halfedge)).second)
-      {
-        result.push_back({ { SurfacePoint::atVertex(mesh.origin(halfedge)),
-                             SurfacePoint::atVertex(mesh.destination(halfedge)) },
-          { outside }, { 0, 0 }, source });
-        result.back().isOutline = false;
+        const Id outside = faceOutside(mesh, halfedge, covered);
+        if (outside != NoId && known.emplace(source, mesh.edgeOf(halfedge)).second)
+        {
+          result.push_back({ { SurfacePoint::atVertex(mesh.origin(halfedge)),
+                               SurfacePoint::atVertex(mesh.destination(halfedge)) },
+            { outside }, { 0, 0 }, source });
+          result.back().isOutline = false;
+        }
       }
     }
   }

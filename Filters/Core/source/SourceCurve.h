@@ -44,9 +44,9 @@ inline SourceCurve pointCurve(const SurfacePoint& point)
   return { { point }, {}, { 0 } };
 }
 
-/// The edges at which covered faces meet others though no curve runs along: edges of three and more
-/// faces at which a region branches, and edges beside which its outline runs by a rounding. Each is
-/// a curve with the region to its left.
+/// The edges at which faces that a source covers meet others though none of its curves runs along:
+/// edges of three and more faces at which a region branches, and edges beside which its outline
+/// runs by a rounding. Each is a curve with the region to its left.
 std::vector<SourceCurve> bordersWithoutCurves(
   const TriangleMesh& mesh, const std::vector<SourceCurve>& curves);
 
