@@ -87,8 +87,9 @@ def are_of_faces(values, data, count, name):
     if corners is None or values.size != len(corners[0]):
         return False
     if values.size == count:
+        what = "Give points by their indices, or append" if values.dtype == bool else "Append"
         raise GeodesicError(f"{name} has {count} values, but the surface has as many points as faces, so that nothing "
-                            "tells which are meant. Append a point that no face uses to those of the surface.")
+                            f"tells which are meant. {what} a point that no face uses to those of the surface.")
     return True
 
 

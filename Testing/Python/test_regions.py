@@ -119,6 +119,8 @@ class Tables(unittest.TestCase):
         for ask in (lambda: matrix(more, labels=np.arange(8)), lambda: distance(more, np.arange(8) == 3)):
             with self.assertRaisesRegex(GeodesicError, "has 8 values, but the surface has as many points as faces"):
                 ask()
+        with self.assertRaisesRegex(GeodesicError, "Give points by their indices, or append a point"):
+            distance(more, np.arange(8) == 3)
         more = np.concatenate((points, points + 9)), faces
         self.assertEqual(matrix(more, labels=np.arange(8)).shape, (8, 8))
 
