@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/BarrierFaces.h"
 
+#include "Tolerance.h"
 #include "mesh/SurfaceSnap.h"
 
 #include <algorithm>
@@ -11,7 +12,8 @@ namespace geodesic
 namespace
 {
 
-/// How far each point is from its closest faces.
+/// How far each point is from its closest faces, and from what these may have lost where faces
+/// without area were cut off them.
 std::vector<double> distancesTo(const MeshPartition& surface, const std::vector<Vec3>& points,
   const ClosestFaces& closest, double coordinatePrecision)
 {
@@ -22,8 +24,10 @@ std::vector<double> distancesTo(const MeshPartition& surface, const std::vector<
     {
       if (found.face.rank == surface.exchange().rank())
       {
-        distances[i] = std::min(distances[i],
-          snapToFace(surface.mesh(), found.face.id, points[i], coordinatePrecision).distance);
+        const double away =
+          snapToFace(surface.mesh(), found.face.id, points[i], coordinatePrecision).distance;
+        const double cut = tolerance::WithoutArea * surface.mesh().shape(found.face.id).longest();
+        distances[i] = std::min(distances[i], std::max(away - cut, 0.0));
       }
     }
   }

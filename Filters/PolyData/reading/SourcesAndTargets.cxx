@@ -4,7 +4,6 @@
 #include "PolyData/reading/LineChains.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/SourceFaces.h"
-#include "Tolerance.h"
 #include "mesh/SurfaceSnap.h"
 
 #include "vtkPolyData.h"
@@ -380,10 +379,9 @@ void joinFaces(const std::vector<vtkIdType>& names, bool areJoined, SourcePolyli
 std::vector<RankAddress> barriersAt(
   const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
 {
-  // Open faces may have been cut beside a place (removeFacesWithoutArea).
-  return surface.barriers ? surface.barriers->barriersAt(located.places, located.faces,
-                              std::max(coordinatePrecision, tolerance::WithoutArea))
-                          : std::vector<RankAddress>(located.places.size(), RankAddress{ 0, NoId });
+  return surface.barriers
+    ? surface.barriers->barriersAt(located.places, located.faces, coordinatePrecision)
+    : std::vector<RankAddress>(located.places.size(), RankAddress{ 0, NoId });
 }
 
 /// Leaves out faces that lie in barriers, which are no faces of the surface. All ranks call this
