@@ -80,7 +80,8 @@ void CheckContours(Check& check, const RegionScene& scene, double largest)
     }
   }
   const double outline = OutlineLengthOf(scene);
-  check.That(lengthOfSource >= outline * (1.0 - 1e-11), scene.name + ": a value of 0 is the outline");
+  check.That(
+    lengthOfSource >= outline * (1.0 - 1e-11), scene.name + ": a value of 0 is the outline");
   if (points.empty())
   {
     return;
@@ -127,8 +128,7 @@ void CheckPaths(Check& check, const RegionScene& scene, const std::vector<double
   std::vector<double> atQueries(queries.size(), INFINITY);
   if (!queries.empty() && !scene.sources.points.empty())
   {
-    atQueries =
-      geodesictest::bruteForceDistances(scene.made.open, scene.sources, queries).queries;
+    atQueries = geodesictest::bruteForceDistances(scene.made.open, scene.sources, queries).queries;
   }
   auto query = atQueries.begin();
   for (double& distance : expected)
@@ -152,14 +152,14 @@ void CheckPaths(Check& check, const RegionScene& scene, const std::vector<double
       length += geodesictest::spaceDistance(
         PointAt(found, ids->GetId(i - 1)), PointAt(found, ids->GetId(i)));
     }
-    lengths[static_cast<std::size_t>(
-      found->GetCellData()->GetArray("TargetId")->GetTuple1(line))] = length;
+    lengths[static_cast<std::size_t>(found->GetCellData()->GetArray("TargetId")->GetTuple1(line))] =
+      length;
   }
   for (std::size_t i = 0; i < targets.size(); ++i)
   {
     const bool isReached = std::isfinite(expected[i]);
-    check.That(isReached ? std::abs(lengths[i] - expected[i]) <= 1e-8 * largest
-                         : std::isinf(lengths[i]),
+    check.That(
+      isReached ? std::abs(lengths[i] - expected[i]) <= 1e-8 * largest : std::isinf(lengths[i]),
       scene.name + ": path " + std::to_string(i) + " has the length " + std::to_string(lengths[i]) +
         " instead of " + std::to_string(expected[i]));
   }
@@ -348,8 +348,9 @@ void CheckBeside(Check& check)
     const double expected = Distances(filters[1])->GetTuple1(i);
     check.That(std::abs(Distances(filters[0])->GetTuple1(i) - expected) <= 1e-14,
       "beside: distances from the outline");
-    largestInside =
-      PointsInside(region)[static_cast<std::size_t>(i)] ? std::max(largestInside, expected) : largestInside;
+    largestInside = PointsInside(region)[static_cast<std::size_t>(i)]
+      ? std::max(largestInside, expected)
+      : largestInside;
   }
   check.That(largestInside > 0.1, "beside: the region itself is not the source");
 }
