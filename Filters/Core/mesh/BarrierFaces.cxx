@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/BarrierFaces.h"
 
-#include "Tolerance.h"
 #include "mesh/SurfaceSnap.h"
 
 #include <algorithm>
@@ -26,7 +25,7 @@ std::vector<double> distancesTo(const MeshPartition& surface, const std::vector<
       {
         const double away =
           snapToFace(surface.mesh(), found.face.id, points[i], coordinatePrecision).distance;
-        const double cut = tolerance::WithoutArea * surface.mesh().shape(found.face.id).longest();
+        const double cut = surface.mesh().shape(found.face.id).roundingOfCuts();
         distances[i] = std::min(distances[i], std::max(away - cut, 0.0));
       }
     }
