@@ -44,7 +44,6 @@ public:
     if (this->meanWork_ < (this->isWide_ ? LeastWork / 2.0 : LeastWork))
     {
       this->isWide_ = false;
-      this->isSplit_ = false;
       return false;
     }
     this->measure(static_cast<double>(work), now());
@@ -52,8 +51,9 @@ public:
   }
 
 private:
-  /// The work of a batch that takes about as long as to wake threads for its two steps.
-  static constexpr double LeastWork = 500.0;
+  /// The work of a batch below which two threads gained nothing: half of it takes about as long as
+  /// to wake threads for a batch's two steps.
+  static constexpr double LeastWork = 1000.0;
   /// Less gain is not told from chance. On two threads a wide front is 1.4 to 1.8 times as fast.
   static constexpr double LeastGain = 1.15;
   /// The speed is measured over so long, after the time that a change takes.
@@ -68,9 +68,7 @@ private:
     if (!this->isWide_)
     {
       this->isWide_ = true;
-      this->isTrial_ = false;
-      this->pause_ = LeastPause;
-      this->nextTrial_ = now;
+      this->breakOffTrial(now);
       this->beginStretch(now);
     }
     if (now < this->begin_)
@@ -89,6 +87,18 @@ private:
   {
     this->begin_ = begin;
     this->work_ = 0.0;
+  }
+
+  // A front that was narrow for a while goes on as it was before. If each wide stretch began with a
+  // trial, one that is wide and narrow in turn would be on trial most of the time.
+  void breakOffTrial(Clock::time_point now)
+  {
+    if (this->isTrial_)
+    {
+      this->isSplit_ = !this->isSplit_;
+      this->isTrial_ = false;
+      this->nextTrial_ = now + this->pause_;
+    }
   }
 
   // Compares a trial with the stretch before it, or begins one.

@@ -82,7 +82,7 @@ TEST(ThreadTrial, FollowsAMachineThatIsTakenByOthersAndGivenBack)
 TEST(ThreadTrial, NeverSplitsANarrowFrontNorAsksForTheTime)
 {
   Front front;
-  front.work = 400;
+  front.work = 900;
   EXPECT_EQ(front.run(OneSecond), 0.0);
   EXPECT_EQ(front.timesAsked, 0);
 }
@@ -97,6 +97,24 @@ TEST(ThreadTrial, JoinsAFrontThatBecomesNarrowAndSplitsItAgainWhenItIsWide)
   EXPECT_EQ(front.run(OneSecond), 0.0);
   front.work = 2000;
   EXPECT_GT(front.run(OneSecond), 0.9);
+}
+
+TEST(ThreadTrial, TriesAFrontThatIsWideAndNarrowInTurnNoMoreOften)
+{
+  for (const microseconds turn : { microseconds(2200), microseconds(5000), microseconds(30000) })
+  {
+    Front front;
+    front.splitBatch = microseconds(200);
+    microseconds split{ 0 };
+    for (microseconds time{ 0 }; time < OneSecond; time += 2 * turn)
+    {
+      front.work = 100;
+      front.run(turn);
+      front.work = 4000;
+      split += std::chrono::duration_cast<microseconds>(front.run(turn) * turn);
+    }
+    EXPECT_LT(split, OneSecond / 50) << turn.count();
+  }
 }
 
 TEST(ThreadTrial, AlwaysSplitsWhereAllTasksAreShared)
