@@ -611,7 +611,7 @@ std::string listIds(const std::vector<vtkIdType>& ids)
   return listFirst(first, ids.size());
 }
 
-std::string whereNotFinite(const PolyDataBlock& block, const char* isUsed)
+void requireFinite(const PolyDataBlock& block, const char* isUsed)
 {
   std::vector<vtkIdType> bad;
   for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
@@ -623,10 +623,25 @@ std::string whereNotFinite(const PolyDataBlock& block, const char* isUsed)
       bad.push_back(i);
     }
   }
-  return bad.empty()
-    ? std::string()
-    : block.name.atBeginning() + " has coordinates that are NaN or infinite, at point " +
-      listIds(bad) + ". Remove or repair these points upstream.";
+  if (!bad.empty())
+  {
+    throw InputError(block.name.atBeginning() +
+      " has coordinates that are NaN or infinite, at point " + listIds(bad) +
+      ". Remove or repair these points upstream.");
+  }
+}
+
+void requirePoints(const PolyDataBlock& block, vtkIdType cell, vtkIdType size, const vtkIdType* ids)
+{
+  const vtkIdType count = block.data->GetNumberOfPoints();
+  const auto* missing =
+    std::find_if(ids, ids + size, [count](vtkIdType id) { return id < 0 || id >= count; });
+  if (missing != ids + size)
+  {
+    throw InputError(block.name.part("cell", cell).atBeginning() + " names point " +
+      std::to_string(*missing) + ", but there are only " + std::to_string(count) +
+      " points. Repair the cells upstream.");
+  }
 }
 
 std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const PartName& name)
@@ -640,13 +655,15 @@ std::vector<PolyDataBlock> sourceBlocks(
   return blocksOf(input, name,
     [&arrays](vtkDataObject* object, const PartName& ownName)
     {
-      PolyDataBlock block = sourceBlock(object, ownName);
+      const bool hasIds = isChosen(arrays.sourceIds);
+      PolyDataBlock block =
+        arrays.areTargets && !hasIds ? targetBlock(object, ownName) : sourceBlock(object, ownName);
       auto* data = vtkDataSet::SafeDownCast(object);
-      const char* const role = arrays.areTargets ? "Target" : "Source";
-      const std::string idProperty = std::string(role) + "IdArrayName";
-      const std::string nameProperty = std::string(role) + "NameArrayName";
+      const std::string role = arrays.areTargets ? "Target" : "Source";
+      const std::string idProperty = role + "IdArrayName";
+      const std::string nameProperty = role + "NameArrayName";
       const PartArray ids = arrayOfParts(block, arrays.sourceIds, idProperty.c_str());
-      if (arrays.areTargets && !ids.find(data, ids.areOfPoints) && ids.find(data, true))
+      if (arrays.areTargets && hasIds && !ids.find(data, ids.areOfPoints) && ids.find(data, true))
       {
         block = targetBlock(object, ownName);
       }
@@ -655,19 +672,6 @@ std::vector<PolyDataBlock> sourceBlocks(
       block.partNames =
         readNames(data, block, arrayOfParts(block, arrays.sourceNames, nameProperty.c_str()));
       block.pointNames = readNames(data, block, arrayOfTargets(arrays.targetNames));
-      return block;
-    });
-}
-
-std::vector<PolyDataBlock> targetBlocks(
-  vtkDataObject* input, const PartName& name, const char* nameArray)
-{
-  return blocksOf(input, name,
-    [nameArray](vtkDataObject* data, const PartName& ownName)
-    {
-      PolyDataBlock block = targetBlock(data, ownName);
-      block.pointNames =
-        readNames(vtkDataSet::SafeDownCast(data), block, arrayOfTargets(nameArray));
       return block;
     });
 }

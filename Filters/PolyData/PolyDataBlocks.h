@@ -104,11 +104,12 @@ struct PartArrays
   /// Of the names of the points, which are the targets.
   const char* targetNames = nullptr;
   /// Whether the parts are sets of targets: messages name the properties of those, and points are
-  /// parts, whatever cells there are, where they have the ids and cells have not.
+  /// parts, whatever cells there are, where they have the ids and cells have not. Without ids the
+  /// points are the targets, and cells are left out.
   bool areTargets = false;
 };
 
-/// The same for a source, which may be any vtkPointSet, or leaves that are: of a
+/// The same for a source or targets, which may be any vtkPointSet, or leaves that are: of a
 /// vtkUnstructuredGrid the vertices and lines, of others than that and vtkPolyData the points
 /// alone.
 ///
@@ -116,12 +117,6 @@ struct PartArrays
 ///         type (integers, or also strings for names), of several components or of too few values.
 std::vector<PolyDataBlock> sourceBlocks(
   vtkDataObject* input, const PartName& name, const PartArrays& arrays);
-
-/// The same for targets, which are the points of any vtkPointSet. Cells are left out.
-///
-/// \param nameArray as PartArrays::targetNames.
-std::vector<PolyDataBlock> targetBlocks(
-  vtkDataObject* input, const PartName& name, const char* nameArray);
 
 /// Finds PolyDataBlock::barriers of the blocks of a surface. Blocks without the array have no
 /// barriers. An array with one value a face, which leaves out vertices and lines, is replaced by
@@ -140,11 +135,14 @@ std::string listFirst(const std::vector<std::string>& names, std::size_t count);
 /// The first few of some ids, for an error message: "3, 17, 20 and 5 more".
 std::string listIds(const std::vector<vtkIdType>& ids);
 
-/// The error message for a block with points whose coordinates are not finite; empty if there is
-/// none.
-///
 /// \param isUsed of each point whether it counts; null: all do.
-std::string whereNotFinite(const PolyDataBlock& block, const char* isUsed = nullptr);
+/// \throws InputError where the coordinates of points are not finite.
+void requireFinite(const PolyDataBlock& block, const char* isUsed = nullptr);
+
+/// \param cell the number of a cell of the block, with these points.
+/// \throws InputError where a point does not exist.
+void requirePoints(
+  const PolyDataBlock& block, vtkIdType cell, vtkIdType size, const vtkIdType* ids);
 
 /// Calls visit(vtkIdType size, const vtkIdType* ids) for each cell.
 template <typename Visit>
@@ -157,23 +155,6 @@ void forEachCell(vtkCellArray* cells, Visit&& visit)
     const vtkIdType* ids = nullptr;
     iterator->GetCurrentCell(size, ids);
     visit(size, ids);
-  }
-}
-
-/// \param cell the number of a cell of the block, with these points.
-/// \throws Failure where a point does not exist.
-template <typename Failure>
-void requirePoints(const PolyDataBlock& block, vtkIdType cell, vtkIdType size, const vtkIdType* ids)
-{
-  const vtkIdType count = block.data->GetNumberOfPoints();
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    if (ids[i] < 0 || ids[i] >= count)
-    {
-      throw Failure(block.name.part("cell", cell).atBeginning() + " names point " +
-        std::to_string(ids[i]) + ", but there are only " + std::to_string(count) +
-        " points. Repair the cells upstream.");
-    }
   }
 }
 
