@@ -4,6 +4,7 @@
 #include "PolyData/FilterExecution.h"
 #include "PolyData/SurfaceCache.h"
 #include "PolyData/ranks/SourcePatch.h"
+#include "PolyData/reading/InputArrays.h"
 #include "PolyData/reading/SourceFaces.h"
 #include "paths/FacesBetweenPoints.h"
 #include "paths/JoinPoints.h"
@@ -216,26 +217,26 @@ struct InputReader
       }
     }
     std::optional<ReplicatedPatch>& patch = this->inputs.patch;
-    patch = faces.make();
-    source.located.setFaces(*patch, source.polylines);
+    const auto makePatch = [&]
+    {
+      patch = faces.make();
+      source.located.setFaces(*patch, source.polylines);
+    };
+    makePatch();
     const Job joining = this->execution.begin(Stage::JoinSource);
     const double patchMade = isDistributed ? 0.8 : 0.0;
     if (isDistributed &&
       faces.addFaces(facesBetweenPoints(
         surface, *patch, source.polylines, source.precision, joining.part(0.0, patchMade))))
     {
-      patch = faces.make();
-      source.located.setFaces(*patch, source.polylines);
+      makePatch();
     }
     const TriangleMesh& mesh = patch->mesh();
-    const JoinPoints join = joinByShortestPaths(mesh);
-    // With several ranks the next patch numbers its faces in another way.
-    const JoinedPaths none;
     JoinedPaths paths;
     SourceCurves curves =
-      curvesOn(mesh, source, paths.joinBy(join, isDistributed ? none : this->cache.joinedPaths()),
+      curvesOn(mesh, source, paths.joinBy(joinByShortestPaths(mesh), this->cache.joinedPaths()),
         joining.part(patchMade, 1.0));
-    if (!isDistributed)
+    if (!isDistributed) // else the next patch numbers its faces in another way
     {
       this->cache.joinedPaths() = std::move(paths);
     }
@@ -245,7 +246,7 @@ struct InputReader
     {
       noteSides(mesh, source, curves, this->notes);
     }
-    addBorders(mesh, curves.curves);
+    addBordersWithoutCurves(mesh, curves.curves);
     const auto count = static_cast<Id>(source.parts.ids.size());
     this->inputs.sources = { std::move(curves), std::move(source.parts), count };
   }
@@ -267,12 +268,6 @@ struct InputReader
       on.curves[first.at(covered.source)].coveredFaces.push_back(covered.face);
     }
     return on;
-  }
-
-  static void addBorders(const TriangleMesh& mesh, std::vector<SourceCurve>& curves)
-  {
-    std::vector<SourceCurve> borders = bordersWithoutCurves(mesh, curves);
-    std::move(borders.begin(), borders.end(), std::back_inserter(curves));
   }
 
   /// Adds the loops of the boundary to the curves.
@@ -355,7 +350,7 @@ struct InputReader
     const TriangleMesh& mesh = this->inputs.patch->mesh();
     read.located.setFaces(*this->inputs.patch, read.polylines);
     SourceCurves curves = curvesOn(mesh, read, joinByShortestPaths(mesh), job.part(0.9, 1.0));
-    addBorders(mesh, curves.curves);
+    addBordersWithoutCurves(mesh, curves.curves);
     noteTargetSets(*this->inputs.surface, mesh, read, this->inputOfTargets(), this->notes);
     this->inputs.targetSets = Sources{ std::move(curves), std::move(read.parts), 0 };
   }

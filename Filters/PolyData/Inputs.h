@@ -6,6 +6,7 @@
 #include "PolyData/Notes.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/Stages.h"
+#include "PolyData/ranks/GatheredBlocks.h"
 #include "PolyData/reading/SourceParts.h"
 #include "PolyData/reading/SurfaceReader.h"
 #include "PolyData/reading/Targets.h"

@@ -3,7 +3,6 @@
 #define geodesic_PolyDataBlocks_h
 
 #include "Errors.h"
-#include "Exchange.h"
 #include "source/PartName.h"
 
 #include "vtkCellArray.h"
@@ -11,7 +10,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -90,10 +88,6 @@ constexpr vtkIdType SourceIdEnd = static_cast<vtkIdType>(
 ///         read; it says which and what to do.
 std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const PartName& name);
 
-/// Whether the name of an array stands for one: null, empty and "None" (the first entry of
-/// ParaView's list) do not.
-bool isChosen(const char* array);
-
 /// Names of arrays of a source or of targets, where isChosen().
 struct PartArrays
 {
@@ -117,18 +111,6 @@ struct PartArrays
 ///         type (integers, or also strings for names), of several components or of too few values.
 std::vector<PolyDataBlock> sourceBlocks(
   vtkDataObject* input, const PartName& name, const PartArrays& arrays);
-
-/// Finds PolyDataBlock::barriers of the blocks of a surface. Blocks without the array have no
-/// barriers. An array with one value a face, which leaves out vertices and lines, is replaced by
-/// one with a value for each cell.
-///
-/// \param array its name; null, empty and "None" (the first entry of ParaView's list) stand for no
-///        barriers.
-/// \param exchange with other ranks, all of which find the arrays of their blocks now.
-/// \throws InputError where no block with cells, of any rank, has the array, or where it is not
-///         numeric, has several components, neither a value for each cell nor one for each face, or
-///         NaN.
-void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* array, Exchange& exchange);
 
 /// "cell 3, cell 17 and 5 more", by the names of the first of so many.
 std::string listFirst(const std::vector<std::string>& names, std::size_t count);
@@ -162,30 +144,6 @@ void forEachCell(vtkCellArray* cells, Visit&& visit)
 /// vtkPolyData for each block, and returns these in the same order. Where the input is a
 /// vtkPolyData, that is the output itself.
 std::vector<vtkPolyData*> makeBlocksLike(vtkDataObject* input, vtkDataObject* output);
-
-/// The blocks of an input of all ranks, on every rank: points, cells and ids, without other data.
-/// They stand in the order of ranks, then of each rank's blocks. If all ranks have the same blocks,
-/// these count once.
-struct GatheredBlocks
-{
-  std::vector<PolyDataBlock> blocks;
-  std::vector<std::size_t> firstPointOfRank = { 0 };
-
-  /// The rank that has a point, by its number over all blocks; 0 where all have the same.
-  int rankOfPoint(std::size_t number) const
-  {
-    const auto& first = this->firstPointOfRank;
-    return static_cast<int>(std::upper_bound(first.begin(), first.end(), number) - first.begin()) -
-      1;
-  }
-};
-
-/// All ranks call this together.
-///
-/// \param own of this rank.
-/// \param name as messages call the input.
-GatheredBlocks gatherBlocks(
-  const std::vector<PolyDataBlock>& own, const PartName& name, Exchange& exchange);
 
 }
 

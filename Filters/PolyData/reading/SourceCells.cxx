@@ -101,9 +101,14 @@ struct SourceBlockReader
       [&](vtkIdType size, const vtkIdType* ids)
       {
         requirePoints(this->block, this->inputCell(), size, ids);
-        if ((size > 0 || isPolyData) && this->takeNumber(this->inputCell()) && size > 0)
+        const bool isTaken = (size > 0 || isPolyData) && this->takeNumber(this->inputCell());
+        if (isTaken && size > 0)
         {
           (this->*add)(size, ids);
+        }
+        else if (isTaken)
+        {
+          this->cells.withoutPoints.push_back(this->cells.numbers.back());
         }
         ++this->cell;
       });
@@ -136,25 +141,25 @@ struct SourceBlockReader
     return true;
   }
 
-  LocatedPolyline& addPolyline(vtkIdType size, const vtkIdType* ids, const char* kind,
-    vtkIdType number, std::vector<LocatedPolyline>& to)
+  /// \param number of the cell, or point, that it is of.
+  void add(vtkIdType size, const vtkIdType* ids, vtkIdType number, const PartName& name,
+    std::vector<LocatedPolyline>& to)
   {
     LocatedPolyline& line = to.emplace_back();
-    line.name = this->block.name.part(kind, number);
+    line.name = name;
+    line.source = static_cast<Id>(this->first + number);
     for (vtkIdType i = 0; i < size; ++i)
     {
       addPoint(this->block, ids[i], this->surface, this->cells.precision, line);
       this->isUsed[static_cast<std::size_t>(ids[i])] = 1;
     }
-    return line;
   }
 
-  /// \param number of the cell, or point, that it belongs to.
   void addVertex(vtkIdType point, vtkIdType number)
   {
-    LocatedPolyline& line = this->addPolyline(1, &point, "point", point, this->cells.polylines);
-    line.pointNames = { line.name };
-    line.source = static_cast<Id>(this->first + number);
+    const PartName name = this->block.name.part("point", point);
+    this->add(1, &point, number, name, this->cells.polylines);
+    this->cells.polylines.back().pointNames = { name };
   }
 
   void addVertices(vtkIdType size, const vtkIdType* ids)
@@ -166,9 +171,8 @@ struct SourceBlockReader
   void addCurve(vtkIdType size, const vtkIdType* ids, bool closed, std::vector<LocatedPolyline>& to)
   {
     const vtkIdType number = this->inputCell();
-    LocatedPolyline& line = this->addPolyline(size, ids, "cell", number, to);
-    line.closed = closed && size > 2;
-    line.source = static_cast<Id>(this->first + number);
+    this->add(size, ids, number, this->block.name.part("cell", number), to);
+    to.back().closed = closed && size > 2;
   }
 
   void addLine(vtkIdType size, const vtkIdType* ids)

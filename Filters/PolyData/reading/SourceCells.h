@@ -26,9 +26,10 @@ struct SourceCells
   std::vector<std::size_t> lines;
   /// Polygons, and the triangles of strips.
   std::vector<LocatedPolyline> faces;
-  /// The numbers of all that belong to the source, ascending. A cell of a vtkPolyData without
-  /// points does, and has no polyline; a point that no vertex cell of a set of points has does not.
+  /// The numbers of all that belong to the source, ascending: not of a point that no vertex cell of
+  /// a set of points has, but of a cell of a vtkPolyData without points, which has no polyline.
   std::vector<vtkIdType> numbers;
+  std::vector<vtkIdType> withoutPoints;
   /// All of these are below.
   vtkIdType end = 0;
   /// The values of PolyDataBlock::sourceIds and partNames for each number; empty without an array.

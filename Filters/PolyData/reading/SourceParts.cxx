@@ -37,10 +37,10 @@ std::string textOfEmpty(const PartsRequest& from, vtkIdType droppedCells)
          "a curve with at least one point, or set Source Type to Surface Boundary.";
 }
 
-/// The numbers of the cells that polylines and faces are of, ascending.
-std::vector<vtkIdType> numbersIn(const SourceCells& cells)
+/// The numbers of cells that have a polyline or a face, or no points, ascending.
+std::vector<vtkIdType> numbersLeft(const SourceCells& cells)
 {
-  std::vector<vtkIdType> numbers;
+  std::vector<vtkIdType> numbers = cells.withoutPoints;
   for (const std::vector<LocatedPolyline>* lines : { &cells.polylines, &cells.faces })
   {
     std::transform(lines->begin(), lines->end(), std::back_inserter(numbers),
@@ -114,21 +114,6 @@ void joinFaces(const PartsOfFaces& partsOfFaces, bool areJoined, SourceCells& ce
     cells.faces[face].source = part->source;
     part += static_cast<std::ptrdiff_t>(partsOfFaces[face].size());
   }
-}
-
-/// Takes away the numbers that cells have no more.
-///
-/// \param before numbersIn() the cells as they were read.
-void leaveOutNumbers(const std::vector<vtkIdType>& before, SourceCells& cells)
-{
-  const std::vector<vtkIdType> now = numbersIn(cells);
-  std::vector<vtkIdType> gone;
-  std::set_difference(
-    before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(gone));
-  std::vector<vtkIdType> left;
-  std::set_difference(
-    cells.numbers.begin(), cells.numbers.end(), gone.begin(), gone.end(), std::back_inserter(left));
-  cells.numbers = std::move(left);
 }
 
 /// Makes one part of the cells of one value.
@@ -245,7 +230,6 @@ SourceParts readParts(const PartsRequest& from, const Job& job)
   {
     throw InputError(textOfEmpty(from, read.droppedCells));
   }
-  const std::vector<vtkIdType> before = numbersIn(read);
   PartsOfFaces partsOfFaces = cutAtFacesWithoutArea(read.faces);
   const double facesLocated = from.surface.barriers && !from.targets ? 0.2 : 0.0;
   if (!from.targets)
@@ -259,7 +243,7 @@ SourceParts readParts(const PartsRequest& from, const Job& job)
   joinFaces(partsOfFaces, from.areLinesJoined, read);
   if (from.areLinesJoined && read.values.empty())
   {
-    leaveOutNumbers(before, read);
+    read.numbers = numbersLeft(read);
   }
   read.parts = makeParts(read);
   locate(from, job.part(facesLocated, 1.0), read);
