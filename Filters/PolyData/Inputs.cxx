@@ -4,6 +4,7 @@
 #include "PolyData/FilterExecution.h"
 #include "PolyData/SurfaceCache.h"
 #include "PolyData/ranks/SourcePatch.h"
+#include "PolyData/reading/InputArrays.h"
 #include "PolyData/reading/SourceFaces.h"
 #include "paths/FacesBetweenPoints.h"
 #include "paths/JoinPoints.h"
@@ -63,15 +64,6 @@ RankRole findRole(
   return { place, isFirst };
 }
 
-/// The sources and the patch that they lie on.
-struct SourcesOnPatch
-{
-  ReplicatedPatch patch;
-  Sources sources;
-  /// All ids are below.
-  vtkIdType idEnd = 0;
-};
-
 /// The parts of readInputs().
 struct InputReader
 {
@@ -79,6 +71,7 @@ struct InputReader
   const ExecutionPlan& plan;
   SurfaceCache& cache;
   FilterExecution& execution;
+  Inputs& inputs;
   Exchange& exchange = execution.exchange();
   Notes& notes = execution.notes();
 
@@ -120,21 +113,18 @@ struct InputReader
     return PartName(
       this->request.targets ? TargetsName : "the set of targets (points of input port 1)");
   }
+  NoteOn inputOfTargets() const { return this->request.targets ? NoteOn::Targets : NoteOn::Source; }
 
   GatheredBlocks gatherTargets() const
   {
+    PartArrays arrays;
+    arrays.areTargets = true;
+    arrays.sourceIds = this->plan.targetIdArray;
+    (isChosen(arrays.sourceIds) ? arrays.sourceNames : arrays.targetNames) =
+      this->plan.targetNameArray;
     const PartName name = this->nameOfTargets();
-    if (isChosen(this->plan.targetIdArray))
-    {
-      PartArrays arrays;
-      arrays.sourceIds = this->plan.targetIdArray;
-      arrays.sourceNames = this->plan.targetNameArray;
-      arrays.areTargets = true;
-      vtkDataObject* data = this->request.targets ? this->request.targets : this->request.source;
-      return gatherBlocks(sourceBlocks(data, name, arrays), name, this->exchange);
-    }
-    return gatherBlocks(
-      targetBlocks(this->request.targets, name, this->plan.targetNameArray), name, this->exchange);
+    vtkDataObject* data = this->request.targets ? this->request.targets : this->request.source;
+    return gatherBlocks(sourceBlocks(data, name, arrays), name, this->exchange);
   }
 
   /// Whether sets of targets are the sources, of the same data by the same arrays.
@@ -149,8 +139,9 @@ struct InputReader
   }
 
   /// Reads the surface into the cache.
-  void readSurface(const std::vector<PolyDataBlock>& blocks, bool isInPieces, const Job& job) const
+  void readSurface(const Job& job) const
   {
+    const bool isInPieces = this->inputs.rank.isInPieces();
     if (isInPieces && !this->plan.supportsPieces)
     {
       throw InputError(
@@ -158,13 +149,14 @@ struct InputReader
         this->request.filter +
         " needs all on one. Run with one rank, or have the whole surface on one rank or on each.");
     }
-    this->cache.update(
-      blocks, this->request.merging, isInPieces ? this->exchange : OneRank::instance(), job);
-    noteSurface(this->cache.surface(), blocks, this->notes);
+    this->cache.update(this->inputs.surfaceBlocks, this->request.merging,
+      isInPieces ? this->exchange : OneRank::instance(), job);
+    this->inputs.surface = &this->cache.surface();
+    noteSurface(*this->inputs.surface, this->inputs.surfaceBlocks, this->notes);
   }
 
-  SourcesOnPatch readSources(const std::vector<PolyDataBlock>& surfaceBlocks,
-    const std::vector<PolyDataBlock>& sourceBlocks) const
+  /// Reads the sources, and makes the patch that they lie on.
+  void readSources(const std::vector<PolyDataBlock>& blocks) const
   {
     if (!this->request.fromBoundary && !this->request.source)
     {
@@ -177,134 +169,120 @@ struct InputReader
       this->notes.add(NoteOn::Source, "surface",
         "The surface itself is the source: all distances are 0. Choose another Source.");
     }
-    const PolyDataSurface& surface = this->cache.surface();
     const Job locating = this->execution.begin(Stage::LocateSource);
-    SourcePatch faces(surface.partition);
+    SourcePatch faces(this->inputs.surface->partition);
     std::optional<SurfaceBoundary> boundary;
     if (this->request.fromBoundary)
     {
-      boundary.emplace(surface, faces, locating.part(0.0, hasCurve ? 0.0 : 1.0));
+      boundary.emplace(*this->inputs.surface, faces, locating.part(0.0, hasCurve ? 0.0 : 1.0));
     }
-    SourcesOnPatch read = hasCurve ? this->readCurves(surfaceBlocks, sourceBlocks, faces, locating)
-                                   : SourcesOnPatch{ faces.make(), {}, 0 };
+    if (hasCurve)
+    {
+      this->readCurves(blocks, faces, locating);
+    }
+    else
+    {
+      this->inputs.patch = faces.make();
+    }
     if (boundary)
     {
-      this->addBoundary(boundary->curvesOn(read.patch), hasCurve, read);
+      this->addBoundary(boundary->curvesOn(*this->inputs.patch), hasCurve);
     }
-    return read;
+  }
+
+  /// \param targets their name, if the parts are sets of targets; else null.
+  SourceParts readParts(
+    const std::vector<PolyDataBlock>& blocks, const PartName* targets, const Job& job) const
+  {
+    return geodesic::readParts(
+      { blocks, targets, targets || this->request.areLinesJoined, *this->inputs.surface,
+        this->inputs.surfaceBlocks, this->cache.locator() },
+      job);
   }
 
   /// \param faces those on the boundary, if distances are measured from there, too.
-  SourcesOnPatch readCurves(const std::vector<PolyDataBlock>& surfaceBlocks,
+  void readCurves(
     const std::vector<PolyDataBlock>& blocks, SourcePatch& faces, const Job& locating) const
   {
-    const PolyDataSurface& surface = this->cache.surface();
-    const double outsideBarriers = surface.barriers ? 0.2 : 0.0;
-    SourcePolylines source = readSource(blocks, surface, this->request.areLinesJoined,
-      this->cache.locator(), locating.part(0.0, outsideBarriers));
-    const double precision = coordinatePrecisionOf(blocks);
-    LocatedPlaces located = this->cache.locator().locate(
-      source.polylines, precision, locating.part(outsideBarriers, 0.9));
-    requireOutsideBarriers(
-      surface, surfaceBlocks, source.polylines, located, barriersAt(surface, located, precision));
-    this->cache.locator().keepOnOneSide(
-      source.polylines, precision, located, locating.part(0.9, 1.0));
-    faces.addFacesAround(located);
-    if (surface.partition.isDistributed() && !source.faces.empty())
+    const MeshPartition& surface = this->inputs.surface->partition;
+    const bool isDistributed = surface.isDistributed();
+    SourceParts source = this->readParts(blocks, nullptr, locating);
+    faces.addFacesAround(source.located);
+    if (isDistributed && !source.faces.empty())
     {
-      this->addCoveredFaces(source.faces, precision, locating.part(1.0, 1.0), faces);
+      for (const CoveredFace& covered : findCoveredFaces(
+             surface.mesh(), source.faces, source.precision, true, locating.part(1.0, 1.0)))
+      {
+        faces.addFacesAround(covered.face);
+      }
     }
-    ReplicatedPatch patch = faces.make();
-    located.setFaces(patch, source.polylines);
-    const bool isDistributed = surface.partition.isDistributed();
+    std::optional<ReplicatedPatch>& patch = this->inputs.patch;
+    const auto makePatch = [&]
+    {
+      patch = faces.make();
+      source.located.setFaces(*patch, source.polylines);
+    };
+    makePatch();
     const Job joining = this->execution.begin(Stage::JoinSource);
     const double patchMade = isDistributed ? 0.8 : 0.0;
     if (isDistributed &&
       faces.addFaces(facesBetweenPoints(
-        surface.partition, patch, source.polylines, precision, joining.part(0.0, patchMade))))
+        surface, *patch, source.polylines, source.precision, joining.part(0.0, patchMade))))
     {
-      patch = faces.make();
-      located.setFaces(patch, source.polylines);
+      makePatch();
     }
-    const TriangleMesh& mesh = patch.mesh();
-    const JoinPoints join = joinByShortestPaths(mesh);
-    // With several ranks the next patch numbers its faces in another way.
-    const JoinedPaths none;
+    const TriangleMesh& mesh = patch->mesh();
     JoinedPaths paths;
-    SourceCurves curves = curvesOn(mesh, source, precision,
-      paths.joinBy(join, isDistributed ? none : this->cache.joinedPaths()),
-      joining.part(patchMade, 1.0));
-    if (!isDistributed)
+    SourceCurves curves =
+      curvesOn(mesh, source, paths.joinBy(joinByShortestPaths(mesh), this->cache.joinedPaths()),
+        joining.part(patchMade, 1.0));
+    if (!isDistributed) // else the next patch numbers its faces in another way
     {
       this->cache.joinedPaths() = std::move(paths);
     }
-    noteSource(surface, mesh, source, curves, this->plan.noteSourceBeyond, this->notes);
+    noteSource(
+      *this->inputs.surface, mesh, source, curves, this->plan.noteSourceBeyond, this->notes);
     if (this->plan.needsSides)
     {
       noteSides(mesh, source, curves, this->notes);
     }
-    addBorders(mesh, curves.curves);
-    const auto count = static_cast<Id>(source.ids.size());
-    return { std::move(patch),
-      { std::move(curves), std::move(source.ids), arePartsNamed(blocks), count,
-        std::move(source.names) },
-      source.idEnd };
+    addBordersWithoutCurves(mesh, curves.curves);
+    const auto count = static_cast<Id>(source.parts.ids.size());
+    this->inputs.sources = { std::move(curves), std::move(source.parts), count };
   }
 
-  /// Adds the faces of this rank that belong to the source as a whole, and those around them.
-  void addCoveredFaces(const std::vector<LocatedPolyline>& sourceFaces, double precision,
-    const Job& job, SourcePatch& faces) const
+  /// Puts polylines onto the surface, with the faces that their regions cover: the first curve of
+  /// their source, which has one, gets them.
+  static SourceCurves curvesOn(
+    const TriangleMesh& mesh, const SourceParts& source, const JoinPoints& join, const Job& job)
   {
-    for (const CoveredFace& covered :
-      findCoveredFaces(this->cache.surface().partition.mesh(), sourceFaces, precision, true, job))
-    {
-      faces.addFacesAround(covered.face);
-    }
-  }
-
-  /// Puts polylines onto the surface, with the faces that their regions cover.
-  static SourceCurves curvesOn(const TriangleMesh& mesh, const SourcePolylines& source,
-    double precision, const JoinPoints& join, const Job& job)
-  {
-    SourceCurves curves = putOntoSurface(mesh, source.polylines, precision, join, job);
-    coverFaces(
-      findCoveredFaces(mesh, source.faces, precision, false, job.part(1.0, 1.0)), curves.curves);
-    return curves;
-  }
-
-  static void addBorders(const TriangleMesh& mesh, std::vector<SourceCurve>& curves)
-  {
-    std::vector<SourceCurve> borders = bordersWithoutCurves(mesh, curves);
-    std::move(borders.begin(), borders.end(), std::back_inserter(curves));
-  }
-
-  /// Gives faces to the first curve of their source, which has one.
-  static void coverFaces(const std::vector<CoveredFace>& faces, std::vector<SourceCurve>& curves)
-  {
+    SourceCurves on = putOntoSurface(mesh, source.polylines, source.precision, join, job);
     std::unordered_map<Id, std::size_t> first;
-    for (std::size_t i = 0; i < curves.size(); ++i)
+    for (std::size_t i = 0; i < on.curves.size(); ++i)
     {
-      first.emplace(curves[i].source, i);
+      first.emplace(on.curves[i].source, i);
     }
-    for (const CoveredFace& covered : faces)
+    for (const CoveredFace& covered :
+      findCoveredFaces(mesh, source.faces, source.precision, false, job.part(1.0, 1.0)))
     {
-      curves[first.at(covered.source)].coveredFaces.push_back(covered.face);
+      on.curves[first.at(covered.source)].coveredFaces.push_back(covered.face);
     }
+    return on;
   }
 
   /// Adds the loops of the boundary to the curves.
-  void addBoundary(std::vector<SourceCurve> loops, bool hasCurve, SourcesOnPatch& read) const
+  void addBoundary(std::vector<SourceCurve> loops, bool hasCurve) const
   {
-    vtkIdType next = read.idEnd;
+    Sources& sources = this->inputs.sources;
     for (SourceCurve& loop : loops)
     {
-      loop.source = static_cast<Id>(read.sources.ids.size());
-      read.sources.ids.push_back(next++);
+      loop.source = static_cast<Id>(sources.ids.size());
+      sources.ids.push_back(sources.idEnd++);
     }
     const bool isClosed = loops.empty();
-    if (this->cache.surface().barriers)
+    if (this->inputs.surface->barriers)
     {
-      loops = boundaryOutsideBarriers(loops, read.patch.mesh());
+      loops = boundaryOutsideBarriers(loops, this->inputs.patch->mesh());
     }
     const std::string nothing = isClosed
       ? "The surface (input port 0) is closed: it has no boundary to measure from."
@@ -325,45 +303,56 @@ struct InputReader
       this->notes.add(NoteOn::Source, "no curve",
         "No curve is connected as Source: the boundary alone is the source.");
     }
-    std::move(loops.begin(), loops.end(), std::back_inserter(read.sources.curves));
+    std::move(loops.begin(), loops.end(), std::back_inserter(sources.curves));
   }
 
-  Targets readTargets(const std::vector<PolyDataBlock>& blocks) const
+  void readTargets() const
+  {
+    if (this->plan.targets == TargetPoints::None)
+    {
+      return;
+    }
+    if (!isChosen(this->plan.targetIdArray))
+    {
+      this->readTargetPoints();
+      return;
+    }
+    if (!this->inputs.areTargetsSources)
+    {
+      this->readTargetSets();
+    }
+    Targets& targets = this->inputs.targets;
+    targets.count = this->inputs.setsOfTargets()->ids.size();
+    targets.numbers.resize(targets.count);
+    std::iota(targets.numbers.begin(), targets.numbers.end(), std::size_t{ 0 });
+  }
+
+  void readTargetPoints() const
   {
     const Job job = this->execution.begin(Stage::ReadTargets);
-    const PolyDataSurface& surface = this->cache.surface();
-    Targets targets =
-      geodesic::readTargets(blocks, this->nameOfTargets(), surface, this->cache.locator(), job);
+    const std::vector<PolyDataBlock>& blocks = this->inputs.targetBlocks.blocks;
+    this->inputs.targets = geodesic::readTargets(
+      blocks, this->nameOfTargets(), *this->inputs.surface, this->cache.locator(), job);
     // If the targets are the points of a source that is far away, the note on the source says so.
     if (this->request.targets || !this->notes.has(NoteOn::Source, FarNote))
     {
-      noteTargets(surface, blocks, targets,
-        this->request.targets ? NoteOn::Targets : NoteOn::Source, this->notes);
+      noteTargets(
+        *this->inputs.surface, blocks, this->inputs.targets, this->inputOfTargets(), this->notes);
     }
-    return targets;
   }
 
-  /// \param patch the whole surface.
-  Sources readTargetSets(const std::vector<PolyDataBlock>& surfaceBlocks,
-    const std::vector<PolyDataBlock>& blocks, const ReplicatedPatch& patch) const
+  /// In one process: the patch is the whole surface.
+  void readTargetSets() const
   {
     const Job job = this->execution.begin(Stage::ReadTargets);
-    const PolyDataSurface& surface = this->cache.surface();
-    SourcePolylines read = geodesic::readTargetSets(blocks, this->nameOfTargets(), surface);
-    const double precision = coordinatePrecisionOf(blocks);
-    LocatedPlaces located =
-      this->cache.locator().locate(read.polylines, precision, job.part(0.0, 0.8));
-    const std::vector<RankAddress> barriers = barriersAt(surface, located, precision);
-    leaveOutPointsInBarriers(located, barriers, read);
-    requireOutsideBarriers(surface, surfaceBlocks, read.polylines, located, barriers);
-    this->cache.locator().keepOnOneSide(read.polylines, precision, located, job.part(0.8, 0.9));
-    located.setFaces(patch, read.polylines);
-    SourceCurves curves = curvesOn(
-      patch.mesh(), read, precision, joinByShortestPaths(patch.mesh()), job.part(0.9, 1.0));
-    addBorders(patch.mesh(), curves.curves);
-    const NoteOn input = this->request.targets ? NoteOn::Targets : NoteOn::Source;
-    noteTargetSets(surface, patch.mesh(), read, input, this->notes);
-    return { std::move(curves), std::move(read.ids), true, 0, std::move(read.names) };
+    const PartName name = this->nameOfTargets();
+    SourceParts read = this->readParts(this->inputs.targetBlocks.blocks, &name, job.part(0.0, 0.9));
+    const TriangleMesh& mesh = this->inputs.patch->mesh();
+    read.located.setFaces(*this->inputs.patch, read.polylines);
+    SourceCurves curves = curvesOn(mesh, read, joinByShortestPaths(mesh), job.part(0.9, 1.0));
+    addBordersWithoutCurves(mesh, curves.curves);
+    noteTargetSets(*this->inputs.surface, mesh, read, this->inputOfTargets(), this->notes);
+    this->inputs.targetSets = Sources{ std::move(curves), std::move(read.parts), 0 };
   }
 };
 
@@ -388,16 +377,16 @@ const Sources* Inputs::setsOfTargets() const
 SourceWindows Inputs::sourceWindows(const Job& job) const
 {
   return sourceWindowsOfPartition(this->surface->partition, *this->patch,
-    startingWindows(this->patch->mesh(), this->sources.curves, job));
+    makeSourceWindows(this->patch->mesh(), this->sources.curves, job));
 }
 
 Inputs readInputs(const InputRequest& request, const ExecutionPlan& plan, SurfaceCache& cache,
   FilterExecution& execution)
 {
-  const InputReader reader{ request, plan, cache, execution };
+  Inputs inputs;
+  const InputReader reader{ request, plan, cache, execution, inputs };
   reader.requireTargets();
   const Job reading = execution.begin(Stage::ReadSurface);
-  Inputs inputs;
   inputs.surfaceInput = request.surface;
   inputs.surfaceBlocks = polyDataBlocks(request.surface, PartName(SurfaceName));
   findBarrierArrays(inputs.surfaceBlocks, request.barrierArray, reader.exchange);
@@ -410,29 +399,11 @@ Inputs readInputs(const InputRequest& request, const ExecutionPlan& plan, Surfac
     inputs.targetBlocks = isSource ? source : reader.gatherTargets();
   }
   inputs.rank = findRole(inputs.surfaceBlocks, plan.supportsPieces, reader.exchange);
-  if (!inputs.rank.isWorking())
+  if (inputs.rank.isWorking())
   {
-    return inputs;
-  }
-  reader.readSurface(inputs.surfaceBlocks, inputs.rank.isInPieces(), reading);
-  inputs.surface = &cache.surface();
-  SourcesOnPatch onPatch = reader.readSources(inputs.surfaceBlocks, source.blocks);
-  inputs.patch = std::move(onPatch.patch);
-  inputs.sources = std::move(onPatch.sources);
-  if (isChosen(plan.targetIdArray))
-  {
-    if (!inputs.areTargetsSources)
-    {
-      inputs.targetSets =
-        reader.readTargetSets(inputs.surfaceBlocks, inputs.targetBlocks.blocks, *inputs.patch);
-    }
-    inputs.targets.count = inputs.setsOfTargets()->ids.size();
-    inputs.targets.numbers.resize(inputs.targets.count);
-    std::iota(inputs.targets.numbers.begin(), inputs.targets.numbers.end(), std::size_t{ 0 });
-  }
-  else if (plan.targets != TargetPoints::None)
-  {
-    inputs.targets = reader.readTargets(inputs.targetBlocks.blocks);
+    reader.readSurface(reading);
+    reader.readSources(source.blocks);
+    reader.readTargets();
   }
   return inputs;
 }

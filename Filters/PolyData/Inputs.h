@@ -6,8 +6,10 @@
 #include "PolyData/Notes.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/Stages.h"
-#include "PolyData/reading/SourcesAndTargets.h"
+#include "PolyData/ranks/GatheredBlocks.h"
+#include "PolyData/reading/SourceParts.h"
 #include "PolyData/reading/SurfaceReader.h"
+#include "PolyData/reading/Targets.h"
 #include "mesh/ReplicatedPatch.h"
 #include "source/PolylineOnSurface.h"
 #include "source/SourceWindows.h"
@@ -107,19 +109,14 @@ struct InputRequest
   const char* filter;
 };
 
-/// The sources, whose curves lie on the patch.
-struct Sources : SourceCurves
+/// The sources, whose curves lie on the patch: the parts of the source, then the loops of the
+/// boundary.
+struct Sources
+  : SourceCurves
+  , PartIds
 {
-  /// The ids of the parts of the source, ascending: the cells of port 1 (the points of a set of
-  /// points), or the values of the array that names them, then the loops of the boundary.
-  /// SourceCurve::source is the place of an id here.
-  std::vector<vtkIdType> ids;
-  /// Whether an array has named them.
-  bool areNamed = false;
-  /// From which of these places on they are loops of the boundary.
+  /// From which place among the ids on they are loops of the boundary.
   Id firstBoundary = 0;
-  /// What the ids before these are called; empty unless an array says so.
-  std::vector<std::string> names = {};
 };
 
 /// What an execution has read.

@@ -2,7 +2,8 @@
 #include "PolyData/Notes.h"
 
 #include "PolyData/reading/PolyDataSurface.h"
-#include "PolyData/reading/SourcesAndTargets.h"
+#include "PolyData/reading/SourceParts.h"
+#include "PolyData/reading/Targets.h"
 #include "mesh/SurfaceSnap.h"
 #include "source/OpposedCurves.h"
 
@@ -70,7 +71,7 @@ FarPoints farPointsOf(
 /// "2 segments of the source run over another: segment 3 of cell 0, segment 8 of cell 0. Leave ..."
 ///
 /// \param one, many what one segment does, or several.
-void noteSegments(const char* cause, const SourcePolylines& source,
+void noteSegments(const char* cause, const SourceParts& source,
   const std::vector<SegmentOfPolyline>& segments, const std::string& one, const std::string& many,
   const std::string& advice, Notes& notes)
 {
@@ -89,7 +90,7 @@ void noteSegments(const char* cause, const SourcePolylines& source,
   }
 }
 
-void noteDetours(const SourcePolylines& source, const SourceCurves& onSurface, Notes& notes)
+void noteDetours(const SourceParts& source, const SourceCurves& onSurface, Notes& notes)
 {
   std::ostringstream longer;
   longer << " several times as long on the surface as straight (up to " << std::setprecision(2)
@@ -203,8 +204,8 @@ void noteSurface(
   }
 }
 
-void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
-  const SourcePolylines& source, const SourceCurves& onSurface, double beyond, Notes& notes)
+void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh, const SourceParts& source,
+  const SourceCurves& onSurface, double beyond, Notes& notes)
 {
   notes.add(NoteOn::Source, source.droppedCells, "cell", "cells",
     "of the source left out: neither vertices, lines nor flat faces.");
@@ -222,8 +223,8 @@ void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
         ". Does it belong to this surface? It was put onto the surface's closest points." });
 }
 
-void noteSides(const TriangleMesh& mesh, const SourcePolylines& source,
-  const SourceCurves& onSurface, Notes& notes)
+void noteSides(
+  const TriangleMesh& mesh, const SourceParts& source, const SourceCurves& onSurface, Notes& notes)
 {
   std::vector<SegmentOfPolyline> segments;
   for (const SegmentOfCurve& at : opposedSegments(mesh, onSurface.curves))
@@ -278,7 +279,7 @@ void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock
 }
 
 void noteTargetSets(const PolyDataSurface& surface, const TriangleMesh& mesh,
-  const SourcePolylines& targets, NoteOn input, Notes& notes)
+  const SourceParts& targets, NoteOn input, Notes& notes)
 {
   notes.add(input, targets.droppedCells, "cell", "cells",
     "of the targets left out: neither vertices, lines nor flat faces.");

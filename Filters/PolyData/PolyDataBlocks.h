@@ -3,7 +3,6 @@
 #define geodesic_PolyDataBlocks_h
 
 #include "Errors.h"
-#include "Exchange.h"
 #include "source/PartName.h"
 
 #include "vtkCellArray.h"
@@ -11,7 +10,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -90,10 +88,6 @@ constexpr vtkIdType SourceIdEnd = static_cast<vtkIdType>(
 ///         read; it says which and what to do.
 std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const PartName& name);
 
-/// Whether the name of an array stands for one: null, empty and "None" (the first entry of
-/// ParaView's list) do not.
-bool isChosen(const char* array);
-
 /// Names of arrays of a source or of targets, where isChosen().
 struct PartArrays
 {
@@ -104,11 +98,12 @@ struct PartArrays
   /// Of the names of the points, which are the targets.
   const char* targetNames = nullptr;
   /// Whether the parts are sets of targets: messages name the properties of those, and points are
-  /// parts, whatever cells there are, where they have the ids and cells have not.
+  /// parts, whatever cells there are, where they have the ids and cells have not. Without ids the
+  /// points are the targets, and cells are left out.
   bool areTargets = false;
 };
 
-/// The same for a source, which may be any vtkPointSet, or leaves that are: of a
+/// The same for a source or targets, which may be any vtkPointSet, or leaves that are: of a
 /// vtkUnstructuredGrid the vertices and lines, of others than that and vtkPolyData the points
 /// alone.
 ///
@@ -117,34 +112,19 @@ struct PartArrays
 std::vector<PolyDataBlock> sourceBlocks(
   vtkDataObject* input, const PartName& name, const PartArrays& arrays);
 
-/// The same for targets, which are the points of any vtkPointSet. Cells are left out.
-///
-/// \param nameArray as PartArrays::targetNames.
-std::vector<PolyDataBlock> targetBlocks(
-  vtkDataObject* input, const PartName& name, const char* nameArray);
-
-/// Finds PolyDataBlock::barriers of the blocks of a surface. Blocks without the array have no
-/// barriers. An array with one value a face, which leaves out vertices and lines, is replaced by
-/// one with a value for each cell.
-///
-/// \param array its name; null, empty and "None" (the first entry of ParaView's list) stand for no
-///        barriers.
-/// \param exchange with other ranks, all of which find the arrays of their blocks now.
-/// \throws InputError where no block with cells, of any rank, has the array, or where it is not
-///         numeric, has several components, neither a value for each cell nor one for each face, or
-///         NaN.
-void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* array, Exchange& exchange);
-
 /// "cell 3, cell 17 and 5 more", by the names of the first of so many.
 std::string listFirst(const std::vector<std::string>& names, std::size_t count);
 /// The first few of some ids, for an error message: "3, 17, 20 and 5 more".
 std::string listIds(const std::vector<vtkIdType>& ids);
 
-/// The error message for a block with points whose coordinates are not finite; empty if there is
-/// none.
-///
 /// \param isUsed of each point whether it counts; null: all do.
-std::string whereNotFinite(const PolyDataBlock& block, const char* isUsed = nullptr);
+/// \throws InputError where the coordinates of points are not finite.
+void requireFinite(const PolyDataBlock& block, const char* isUsed = nullptr);
+
+/// \param cell the number of a cell of the block, with these points.
+/// \throws InputError where a point does not exist.
+void requirePoints(
+  const PolyDataBlock& block, vtkIdType cell, vtkIdType size, const vtkIdType* ids);
 
 /// Calls visit(vtkIdType size, const vtkIdType* ids) for each cell.
 template <typename Visit>
@@ -160,51 +140,10 @@ void forEachCell(vtkCellArray* cells, Visit&& visit)
   }
 }
 
-/// \param cell the number of a cell of the block, with these points.
-/// \throws Failure where a point does not exist.
-template <typename Failure>
-void requirePoints(const PolyDataBlock& block, vtkIdType cell, vtkIdType size, const vtkIdType* ids)
-{
-  const vtkIdType count = block.data->GetNumberOfPoints();
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    if (ids[i] < 0 || ids[i] >= count)
-    {
-      throw Failure(block.name.part("cell", cell).atBeginning() + " names point " +
-        std::to_string(ids[i]) + ", but there are only " + std::to_string(count) +
-        " points. Repair the cells upstream.");
-    }
-  }
-}
-
 /// Gives an output the structure of an input that polyDataBlocks() has taken, with an empty
 /// vtkPolyData for each block, and returns these in the same order. Where the input is a
 /// vtkPolyData, that is the output itself.
 std::vector<vtkPolyData*> makeBlocksLike(vtkDataObject* input, vtkDataObject* output);
-
-/// The blocks of an input of all ranks, on every rank: points, cells and ids, without other data.
-/// They stand in the order of ranks, then of each rank's blocks. If all ranks have the same blocks,
-/// these count once.
-struct GatheredBlocks
-{
-  std::vector<PolyDataBlock> blocks;
-  std::vector<std::size_t> firstPointOfRank = { 0 };
-
-  /// The rank that has a point, by its number over all blocks; 0 where all have the same.
-  int rankOfPoint(std::size_t number) const
-  {
-    const auto& first = this->firstPointOfRank;
-    return static_cast<int>(std::upper_bound(first.begin(), first.end(), number) - first.begin()) -
-      1;
-  }
-};
-
-/// All ranks call this together.
-///
-/// \param own of this rank.
-/// \param name as messages call the input.
-GatheredBlocks gatherBlocks(
-  const std::vector<PolyDataBlock>& own, const PartName& name, Exchange& exchange);
 
 }
 

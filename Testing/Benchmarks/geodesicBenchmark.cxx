@@ -7,7 +7,7 @@
 #include "BenchmarkQueries.h"
 #include "BenchmarkTasks.h"
 
-#include "PolyData/reading/SourcesAndTargets.h"
+#include "PolyData/reading/SourceParts.h"
 #include "PolyData/reading/SurfaceReader.h"
 #include "ThreadTeam.h"
 #include "field/DistanceField.h"
@@ -342,12 +342,11 @@ std::vector<geodesic::SourceCurve> makeCurves(
   const std::vector<geodesic::PolyDataBlock> blocks =
     geodesic::polyDataBlocks(source.curves, geodesic::PartName("the source"));
   geodesic::PolylineLocator locator(surface.partition);
-  geodesic::SourcePolylines read = geodesic::readSource(blocks, surface, true, locator, {});
-  const double precision = geodesic::coordinatePrecisionOf(blocks);
-  locator.locate(read.polylines, precision)
-    .setFaces(geodesic::ReplicatedPatch(surface.mesh()), read.polylines);
+  geodesic::SourceParts read =
+    geodesic::readParts({ blocks, nullptr, true, surface, blocks, locator }, {});
+  read.located.setFaces(geodesic::ReplicatedPatch(surface.mesh()), read.polylines);
   return geodesic::putOntoSurface(
-    surface.mesh(), read.polylines, precision, geodesic::joinByShortestPaths(surface.mesh()))
+    surface.mesh(), read.polylines, read.precision, geodesic::joinByShortestPaths(surface.mesh()))
     .curves;
 }
 
@@ -441,7 +440,7 @@ geodesic::DistanceField solveField(const geodesic::TriangleMesh& mesh,
   }
   geodesic::PinnedFaces pinned(mesh.numberOfFaces(), 0);
   return geodesic::solveForRefinement(geodesic::MeshPartition(mesh),
-    geodesic::startingWindows(mesh, curves, options.job), refinementTolerance, options, pinned);
+    geodesic::makeSourceWindows(mesh, curves, options.job), refinementTolerance, options, pinned);
 }
 
 /// The same, of the field of a solve; solves anew where not all windows were kept.

@@ -189,7 +189,7 @@ geodesic::DistanceField solveForIsolines(const geodesic::TriangleMesh& mesh,
   const geodesic::FrontOptions& options)
 {
   return solveForIsolines(geodesic::MeshPartition(mesh),
-    geodesic::startingWindows(mesh, curves, options.job), values, options);
+    geodesic::makeSourceWindows(mesh, curves, options.job), values, options);
 }
 
 geodesic::DistanceField solveForRefinement(const geodesic::TriangleMesh& mesh,
@@ -197,7 +197,7 @@ geodesic::DistanceField solveForRefinement(const geodesic::TriangleMesh& mesh,
   const geodesic::FrontOptions& options)
 {
   return solveForRefinement(geodesic::MeshPartition(mesh),
-    geodesic::startingWindows(mesh, curves, options.job), tolerance, options);
+    geodesic::makeSourceWindows(mesh, curves, options.job), tolerance, options);
 }
 
 geodesic::DistanceField solveForRefinement(const geodesic::MeshPartition& part,

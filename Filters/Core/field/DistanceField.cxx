@@ -77,7 +77,7 @@ DistanceField solveKeeping(const MeshPartition& surface, SourceWindows sources,
 DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options, KeepWindows keep)
 {
-  return solve(MeshPartition(mesh), startingWindows(mesh, sources, options.job), options, keep);
+  return solve(MeshPartition(mesh), makeSourceWindows(mesh, sources, options.job), options, keep);
 }
 
 }

@@ -66,7 +66,8 @@ FarthestPoints farthestPoints(const TriangleMesh& mesh, const std::vector<Source
     }
     job.look(static_cast<double>(result.points.size()) / static_cast<double>(count));
     result.points.push_back(next);
-    return startingWindows(mesh, { pointCurve(SurfacePoint::atVertex(next.vertex)) }, options.job);
+    return makeSourceWindows(
+      mesh, { pointCurve(SurfacePoint::atVertex(next.vertex)) }, options.job);
   };
   result.vertexDistances = propagate(mesh, source, options, known).vertexDistances;
   return result;

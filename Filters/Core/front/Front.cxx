@@ -8,6 +8,7 @@
 #include "front/ProcessBatch.h"
 #include "front/ReceiveMail.h"
 #include "front/ThreadTrial.h"
+#include "front/WindowsWithin.h"
 
 #include <algorithm>
 #include <iterator>
@@ -39,37 +40,15 @@ public:
     , workers_(options.job)
     , ranks_(front_, workers_.first().pool)
     , trial_(options.job.sharing())
+    , within_(front_)
   {
   }
 
-  /// Puts the first windows on their halfedges.
+  /// Puts the first windows of sources on their halfedges. The distances known by now stay.
   ///
-  /// \throws SourceError if no rank has a source.
-  void start(SourceWindows sources)
+  /// \returns whether any rank has a source.
+  bool start(SourceWindows sources)
   {
-    if (!this->exchange().isTrueAnywhere(!sources.inFaces.empty() || !sources.vertices.empty()))
-    {
-      throw SourceError("There is no source. Give at least one point on the surface.");
-    }
-    startFront(this->front_, this->workers_.first(), this->ranks_, sources);
-    this->result_.sourcesInFaces = std::move(sources.inFaces);
-    this->front_.retention.start(this->front_.districtNumbers.most(), this->result_.sourcesInFaces);
-    this->addSources(sources.inHalo);
-    this->receive();
-    this->front_.options.job.reach(0.0);
-  }
-
-  /// Starts the next of the later sources, which all ranks have together. The distances known by
-  /// now stay.
-  ///
-  /// \returns whether there is one.
-  bool startLater()
-  {
-    if (!this->front_.options.laterSources)
-    {
-      return false;
-    }
-    SourceWindows sources = this->front_.options.laterSources();
     if (!this->exchange().isTrueAnywhere(!sources.inFaces.empty() || !sources.vertices.empty()))
     {
       return false;
@@ -77,6 +56,7 @@ public:
     this->front_.restart(this->processed_, this->workers_.first().pool);
     this->processed_.clear();
     startFront(this->front_, this->workers_.first(), this->ranks_, sources);
+    this->front_.retention.start(this->front_.districtNumbers.most(), sources.inFaces);
     this->addSources(sources.inFaces);
     this->addSources(sources.inHalo);
     this->receive();
@@ -317,35 +297,7 @@ private:
   bool hasAllNeeded()
   {
     return this->front_.key > this->neededDistance_ &&
-      !this->exchange().isTrueAnywhere(this->isAnyWithin(this->neededDistance_));
-  }
-
-  bool isAnyWithin(double distance)
-  {
-    if (this->vertexWithin_ != NoId && this->isWithin(this->vertexWithin_, distance))
-    {
-      return true;
-    }
-    this->vertexWithin_ = NoId;
-    const auto isAnotherWithin = [&](Id vertex)
-    {
-      const bool isWithin = this->isWithin(vertex, distance);
-      this->vertexWithin_ = isWithin ? vertex : this->vertexWithin_;
-      return isWithin;
-    };
-    return std::any_of(this->front_.districts.begin(), this->front_.districts.end(),
-      [&](const District& district) { return district.schedule.isAnyWaiting(isAnotherWithin); });
-  }
-
-  // Whether a waiting vertex has windows within a distance, or will emit some.
-  bool isWithin(Id vertex, double distance)
-  {
-    const VertexState& state = this->vertices()[vertex];
-    const WaitingLists& lists = this->front_.districtOf(vertex).lists;
-    return (this->vertices().isShorter(state) && state.distance <= distance) ||
-      lists.isAny(state.facing,
-        [distance](const WaitingLists::List& list)
-        { return leastDistance(list.windows.range()) <= distance; });
+      !this->exchange().isTrueAnywhere(this->within_.isAny(this->neededDistance_));
   }
 
   // A face that contains a point within the limit has exact values when no waiting window and no
@@ -379,31 +331,16 @@ private:
     {
       this->advance(bound);
       this->runBatch(
-        Infinity, [&](District& district) { this->takeVerticesWithin(bound, district); });
+        Infinity, [&](District& district) { this->within_.takeVertices(bound, district); });
       isAny = this->exchange().isTrueAnywhere(!this->batch_.empty());
     }
-  }
-
-  void takeVerticesWithin(double bound, District& district) const
-  {
-    district.schedule.passAll();
-    std::vector<Id>& vertices = district.batch;
-    district.lists.forEach(
-      [&](const WaitingLists::List& list)
-      {
-        if (leastDistance(list.windows.range()) <= bound)
-        {
-          vertices.push_back(this->front_.mesh.opposite(list.halfedge));
-        }
-      });
-    this->front_.districtNumbers.sort(vertices);
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   }
 
   FrontContext front_;
   FrontWorkers workers_;
   FrontOnRanks ranks_;
   ThreadTrial trial_;
+  WindowsWithin within_;
   FrontResult result_;
 
   /// The vertices of the current batch.
@@ -418,8 +355,6 @@ private:
   /// need.
   VertexSchedule::Outlook next_;
   double neededDistance_ = Infinity;
-  /// A vertex that recently had windows within the needed distance.
-  Id vertexWithin_ = NoId;
   std::vector<WindowPool*> pools_;
   /// See report().
   double reported_ = 0.0;
@@ -431,13 +366,7 @@ FrontResult propagate(const TriangleMesh& mesh, const std::vector<SourceCurve>& 
   const FrontOptions& options, Retention& retention)
 {
   return propagate(
-    MeshPartition(mesh), startingWindows(mesh, sources, options.job), options, retention);
-}
-
-SourceWindows startingWindows(
-  const TriangleMesh& mesh, const std::vector<SourceCurve>& sources, const Job& job)
-{
-  return makeSourceWindows(mesh, sources, job.part(0.0, 0.0));
+    MeshPartition(mesh), makeSourceWindows(mesh, sources, options.job), options, retention);
 }
 
 FrontResult propagate(const MeshPartition& surface, SourceWindows sources,
@@ -449,11 +378,15 @@ FrontResult propagate(const MeshPartition& surface, SourceWindows sources,
       "; give a number of at least 0.");
   }
   Front front(surface, options, retention);
-  front.start(std::move(sources));
+  if (!front.start(std::move(sources)))
+  {
+    throw SourceError("There is no source. Give at least one point on the surface.");
+  }
+  options.job.reach(0.0);
   do
   {
     front.advance(options.maximumDistance);
-  } while (front.startLater());
+  } while (options.laterSources && front.start(options.laterSources()));
   return front.finish();
 }
 

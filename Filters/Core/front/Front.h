@@ -102,11 +102,6 @@ struct FrontResult
 FrontResult propagate(const MeshPartition& surface, SourceWindows sources,
   const FrontOptions& options, Retention& retention);
 
-/// The windows of makeSourceWindows(). They take little time compared to a solve: whoever watches
-/// the solve's job can stop them, but sees no progress.
-SourceWindows startingWindows(
-  const TriangleMesh& mesh, const std::vector<SourceCurve>& sources, const Job& job);
-
 /// Propagates from curves, in one process.
 FrontResult propagate(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options, Retention& retention);

@@ -89,7 +89,7 @@ public:
   virtual double neededDistance() const { return Infinity; }
   /// In a corridor: a path that is longer is not looked for. May fall as the front goes on.
   virtual double longestPath() const { return Infinity; }
-  /// Called before the first batch, with the number of districts and the sources inside faces.
+  /// Called before sources start, with the number of districts and the sources inside faces.
   virtual void start(std::size_t, const std::vector<SourceInFace>&) {}
   /// Takes over a list. Its block now belongs to the retention; the pool is the calling task's.
   ///

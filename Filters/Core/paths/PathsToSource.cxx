@@ -136,7 +136,8 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
   frontOptions.keepAngles = true;
   frontOptions.job = job.part(0.0, FrontDone);
   FrontResult front = propagate(part,
-    sourceWindowsOfPartition(part, patch, startingWindows(patch.mesh(), curves, frontOptions.job)),
+    sourceWindowsOfPartition(
+      part, patch, makeSourceWindows(patch.mesh(), curves, frontOptions.job)),
     frontOptions, retention);
   const DistanceField field(part, std::move(front), retention.release());
 

@@ -54,8 +54,7 @@ Id faceOutside(const TriangleMesh& mesh, Id halfedge, const std::set<Id>& covere
 
 } // anonymous namespace
 
-std::vector<SourceCurve> bordersWithoutCurves(
-  const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
+void addBordersWithoutCurves(const TriangleMesh& mesh, std::vector<SourceCurve>& curves)
 {
   std::map<Id, std::set<Id>> coveredBy;
   for (const SourceCurve& curve : curves)
@@ -65,10 +64,9 @@ std::vector<SourceCurve> bordersWithoutCurves(
       coveredBy[curve.source].insert(curve.coveredFaces.begin(), curve.coveredFaces.end());
     }
   }
-  std::vector<SourceCurve> result;
   if (coveredBy.empty())
   {
-    return result;
+    return;
   }
   EdgesOfSources known = edgesAlong(mesh, curves);
   for (const auto& [source, covered] : coveredBy)
@@ -80,15 +78,14 @@ std::vector<SourceCurve> bordersWithoutCurves(
         const Id outside = faceOutside(mesh, halfedge, covered);
         if (outside != NoId && known.emplace(source, mesh.edgeOf(halfedge)).second)
         {
-          result.push_back({ { SurfacePoint::atVertex(mesh.origin(halfedge)),
+          curves.push_back({ { SurfacePoint::atVertex(mesh.origin(halfedge)),
                                SurfacePoint::atVertex(mesh.destination(halfedge)) },
             { outside }, { 0, 0 }, source });
-          result.back().isOutline = false;
+          curves.back().isOutline = false;
         }
       }
     }
   }
-  return result;
 }
 
 double lengthOfSegment(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i)

@@ -28,7 +28,7 @@ struct SourceCurve
   /// several, one of which names the faces. A region without an outline is a closed component: one
   /// of its points is its curve.
   std::vector<Id> coveredFaces = {};
-  /// False for bordersWithoutCurves(): it does not count to the length of the source.
+  /// False for addBordersWithoutCurves(): it does not count to the length of the source.
   bool isOutline = true;
 
   bool isClosed() const
@@ -44,11 +44,10 @@ inline SourceCurve pointCurve(const SurfacePoint& point)
   return { { point }, {}, { 0 } };
 }
 
-/// The edges at which faces that a source covers meet others though none of its curves runs along:
-/// edges of three and more faces at which a region branches, and edges beside which its outline
-/// runs by a rounding. Each is a curve with the region to its left.
-std::vector<SourceCurve> bordersWithoutCurves(
-  const TriangleMesh& mesh, const std::vector<SourceCurve>& curves);
+/// Adds the edges at which faces that a source covers meet others though none of its curves runs
+/// along: edges of three and more faces at which a region branches, and edges beside which its
+/// outline runs by a rounding. Each is a curve with the region to its left.
+void addBordersWithoutCurves(const TriangleMesh& mesh, std::vector<SourceCurve>& curves);
 
 /// The length of the segment from point i to point i + 1 of a curve.
 double lengthOfSegment(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i);

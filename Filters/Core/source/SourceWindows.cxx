@@ -57,10 +57,6 @@ public:
     , curves_(ReplicatedPatch(mesh), curves)
     , job_(job)
   {
-    for (const SourceCurve& curve : this->chains().curves())
-    {
-      this->numberOfPoints_ += curve.points.size();
-    }
   }
 
   SourceWindows make()
@@ -91,14 +87,8 @@ private:
     constexpr std::size_t stepsPerReport = 4096;
     if (++this->steps_ % stepsPerReport == 0)
     {
-      this->job_.reach(
-        static_cast<double>(this->pointsDone_) / static_cast<double>(this->numberOfPoints_));
+      this->job_.reach(0.0);
     }
-  }
-  void nextPoint()
-  {
-    this->pointsDone_ = std::min(this->pointsDone_ + 1, this->numberOfPoints_);
-    this->step();
   }
 
   void addSegments(Id chain)
@@ -130,7 +120,7 @@ private:
       }
       if (straight || this->curves_.vertexAtPlaceOf(at) != nullptr)
       {
-        this->nextPoint();
+        this->step();
       }
       else
       {
@@ -155,7 +145,7 @@ private:
   /// \param ends of the segments that bound the point's wedge.
   void emitFromPoint(const CurveChains::Point& at, const std::vector<SegmentEnd>& ends)
   {
-    this->nextPoint();
+    this->step();
     const PointOfSource place = this->curves_.placeOf(at);
     const CurveWedge wedge = wedgeAround(this->mesh_, place.point, ends);
     const FanAround fan(this->mesh_, place);
@@ -235,8 +225,6 @@ private:
   const std::vector<SourceCurve>& given_;
   const CurvesOnPatch curves_;
   const Job& job_;
-  std::size_t numberOfPoints_ = 0;
-  std::size_t pointsDone_ = 0;
   std::size_t steps_ = 0;
   SourceWindows result_;
 };

@@ -48,6 +48,8 @@ struct SourceWindows
 /// curve into its wedge: the directions at right angles or more to all its segments. A point where
 /// a mesh edge merely cuts the curve has no wedge. Takes time in proportion to the segments and to
 /// the faces around their ends.
+///
+/// \param job of the solve: whoever watches it can stop this, but sees no progress.
 SourceWindows makeSourceWindows(
   const TriangleMesh& mesh, const std::vector<SourceCurve>& curves, const Job& job = {});
 

@@ -337,7 +337,7 @@ private:
   /// \throws InputError
   void cutCurved(vtkIdType cell, vtkIdType size, const vtkIdType* ids)
   {
-    requirePoints<InputError>(this->block_, cell, size, ids);
+    requirePoints(this->block_, cell, size, ids);
     this->corners_->Reset();
     if (size >= cellType(this->grid_->GetCellType(cell)).leastSize)
     {

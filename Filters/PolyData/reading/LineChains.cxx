@@ -27,7 +27,7 @@ std::vector<Id> placesOfEnds(const std::vector<LocatedPolyline>& polylines,
   for (std::size_t i = 0; i < lines.size(); ++i)
   {
     const LocatedPolyline& line = polylines[lines[i]];
-    const auto part = static_cast<double>(parts.empty() ? 0 : parts[i]);
+    const auto part = static_cast<double>(parts[i]);
     for (const std::size_t end : { 0U, 1U })
     {
       const Vec3 point = line.points[end] + Vec3{}; // -0 and 0 are one place
@@ -107,8 +107,8 @@ void turnToMost(Chain& chain)
 
 } // anonymous namespace
 
-std::vector<Id> joinLines(std::vector<LocatedPolyline>& polylines,
-  const std::vector<std::size_t>& lines, const std::vector<vtkIdType>& parts)
+void joinLines(std::vector<LocatedPolyline>& polylines, const std::vector<std::size_t>& lines,
+  const std::vector<vtkIdType>& parts)
 {
   std::vector<bool> isGone(polylines.size(), false);
   for (const std::size_t line : lines)
@@ -131,22 +131,15 @@ std::vector<Id> joinLines(std::vector<LocatedPolyline>& polylines,
       polylines[lowest] = std::move(curve);
     }
   }
-  std::vector<Id> gone;
-  std::vector<LocatedPolyline> left;
+  std::size_t left = 0;
   for (std::size_t i = 0; i < polylines.size(); ++i)
   {
-    if (isGone[i])
+    if (!isGone[i])
     {
-      gone.push_back(polylines[i].source);
-    }
-    else
-    {
-      left.push_back(std::move(polylines[i]));
+      std::swap(polylines[left++], polylines[i]);
     }
   }
-  polylines = std::move(left);
-  std::sort(gone.begin(), gone.end());
-  return gone;
+  polylines.resize(left);
 }
 
 }

@@ -28,10 +28,9 @@ namespace geodesic
 /// \param polylines that are not located yet. Other polylines keep their order.
 /// \param lines the numbers of the polylines to join, ascending; each has two points and a source
 ///        of its own.
-/// \param parts of each line; empty: all belong to one.
-/// \returns the sources of the polylines that are gone, ascending.
-std::vector<Id> joinLines(std::vector<LocatedPolyline>& polylines,
-  const std::vector<std::size_t>& lines, const std::vector<vtkIdType>& parts = {});
+/// \param parts of each line.
+void joinLines(std::vector<LocatedPolyline>& polylines, const std::vector<std::size_t>& lines,
+  const std::vector<vtkIdType>& parts);
 
 }
 

@@ -248,7 +248,7 @@ struct SurfaceReader
 
   /// Other points may be anywhere: depth images and scans mark what they have not seen by NaN.
   ///
-  /// \throws MeshError if the corner of a triangle is not finite.
+  /// \throws InputError if the corner of a triangle is not finite.
   void requireFiniteCorners() const
   {
     for (std::size_t i = 0; this->isAnyNotFinite && i < this->inputs.size(); ++i)
@@ -263,10 +263,7 @@ struct SurfaceReader
           isUsed[point - block.firstPoint] = 1;
         }
       }
-      if (const std::string bad = whereNotFinite(this->inputs[i], isUsed.data()); !bad.empty())
-      {
-        throw MeshError(bad);
-      }
+      requireFinite(this->inputs[i], isUsed.data());
     }
   }
 

@@ -31,8 +31,8 @@ struct PointMerging
 ///
 /// \param blocks the vtkPolyData that this rank has of the surface. They are not changed.
 /// \param exchange must outlive the surface.
-/// \throws MeshError if no face is left that is not a barrier, a coordinate is not finite or a cell
-///         names a point that does not exist; MeshTooLarge; Aborted.
+/// \throws MeshError if no face is left that is not a barrier; InputError if a coordinate is not
+///         finite or a cell names a point that does not exist; MeshTooLarge; Aborted.
 PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, const PointMerging& merging,
   Exchange& exchange = OneRank::instance(), const Job& job = {});
 

@@ -81,7 +81,7 @@ struct TriangleBlockReader
           job.reachItem(cellsRead++, count);
           if (!this->isMarked(Hidden))
           {
-            requirePoints<MeshError>(this->block, this->inputCell(), size, ids);
+            requirePoints(this->block, this->inputCell(), size, ids);
             (this->*add)(size, ids);
           }
           ++this->cell;

@@ -57,7 +57,7 @@ struct SeveralSources
     std::size_t started = 1;
     options.laterSources = [&]
     {
-      return started < sources.size() ? startingWindows(mesh, sources[started++], options.job)
+      return started < sources.size() ? makeSourceWindows(mesh, sources[started++], options.job)
                                       : geodesic::SourceWindows();
     };
     return geodesic::solve(mesh, sources.front(), options, geodesic::KeepWindows::All);

@@ -100,9 +100,7 @@ private:
         this->curves[first].coveredFaces = faces;
       }
     }
-    const std::vector<SourceCurve> branches =
-      geodesic::bordersWithoutCurves(this->mesh, this->curves);
-    this->curves.insert(this->curves.end(), branches.begin(), branches.end());
+    geodesic::addBordersWithoutCurves(this->mesh, this->curves);
   }
 
   /// The edges that only this face of its region has.

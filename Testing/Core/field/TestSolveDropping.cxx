@@ -63,7 +63,7 @@ TEST(SolveDropping, SolvesAgainWithTheMissingFacePinned)
   pinned[2] = 1;
   std::size_t solves = 0;
   const DistanceField field = geodesic::solveDropping(surface,
-    geodesic::startingWindows(sheet.mesh, sheet.curves, {}), {}, pinned,
+    geodesic::makeSourceWindows(sheet.mesh, sheet.curves, {}), {}, pinned,
     [&](const PinnedFaces& now)
     {
       EXPECT_EQ(now[5], solves);
@@ -85,7 +85,7 @@ TEST(SolveDropping, KeepsAllWindowsWhereEachSolveMissesSome)
   PinnedFaces pinned(sheet.mesh.numberOfFaces(), 0);
   Id solves = 0;
   const DistanceField field = geodesic::solveDropping(MeshPartition(sheet.mesh),
-    geodesic::startingWindows(sheet.mesh, sheet.curves, {}), {}, pinned,
+    geodesic::makeSourceWindows(sheet.mesh, sheet.curves, {}), {}, pinned,
     [&](const PinnedFaces& now) { return MissOne(solves++, now); });
   EXPECT_EQ(solves, Id{ geodesic::MostDroppingSolves });
   EXPECT_TRUE(field.hasAllWindows());

@@ -112,7 +112,7 @@ public:
     , sources(numbered(engineCurves(this->mesh, curves)))
     , largest(largestFinite(geodesic::solve(this->mesh, this->sources).vertexDistances()))
     , surface_(this->mesh)
-    , windows_(geodesic::startingWindows(this->mesh, this->sources, {}))
+    , windows_(geodesic::makeSourceWindows(this->mesh, this->sources, {}))
     , patch_(this->mesh)
   {
   }
