@@ -609,5 +609,53 @@ TEST_P(OnRanks, NothingDependsOnThreadsOrOnWhichRankComesFirst)
   }
 }
 
+// The last bits differ where two paths have the same length, or three lists meet on an edge.
+TEST(BitsOnRanks, OfNearlyAllFieldsAreThoseOfOneProcess)
+{
+  std::size_t scenes = 0;
+  std::size_t same = 0;
+  for (const MeshKind& kind : meshKinds())
+  {
+    for (Random& random : EachSeed(meshesOfAKind(5), 800))
+    {
+      const RandomScene scene(kind, random);
+      const CutMesh cut = cutAtRandom(scene.mesh, 3, random);
+      const std::vector<double> one = fieldOnRanks(scene.uncut(), scene).distances;
+      same += fieldOnRanks(cut, scene).distances == one ? 1 : 0;
+      ++scenes;
+    }
+  }
+  EXPECT_GE(20 * same, 19 * scenes) << same << " of " << scenes;
+}
+
+TEST(BitsOnRanks, OfMostRefinedSurfacesAreThoseOfOneProcess)
+{
+  const auto pointsOf = [](const Joined& joined)
+  {
+    std::set<std::pair<geodesic::Vec3, double>> points;
+    for (const geodesic::RefinedPoint& point : joined.refined.points)
+    {
+      points.emplace(point.position, point.distance);
+    }
+    return points;
+  };
+  std::size_t scenes = 0;
+  std::size_t same = 0;
+  for (const MeshKind& kind : meshKinds())
+  {
+    for (Random& random : EachSeed(meshesOfAKind(5), 800))
+    {
+      const RandomScene scene(kind, random);
+      const Joined one = refineOnRanks(scene.uncut(), scene);
+      const Joined other = refineOnRanks(cutAtRandom(scene.mesh, 3, random), scene);
+      const bool isSame = other.refined.triangles.size() == one.refined.triangles.size() &&
+        pointsOf(other) == pointsOf(one);
+      same += isSame ? 1 : 0;
+      ++scenes;
+    }
+  }
+  EXPECT_GE(20 * same, 17 * scenes) << same << " of " << scenes;
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, OnRanks, ::testing::ValuesIn(meshKinds()),
   [](const auto& kind) { return std::string(kind.param.name); });

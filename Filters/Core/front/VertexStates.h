@@ -99,13 +99,9 @@ public:
         const Id vertex = static_cast<Id>(i);
         VertexState& state = this->states_[vertex];
         state.pseudoSource = this->mesh_.pseudoSource(vertex);
-        // Vertices belong to one batch if none is farther than another by more than about half an
-        // edge: windows from one of them then seldom reach another. From 0.25 to 2 edges the number
-        // of windows hardly changes.
-        const IdRange corners = this->mesh_.cornersAt(vertex);
-        state.batchWidth = corners.size() > 0
-          ? 0.5F * static_cast<float>(this->mesh_.length(*corners.begin()))
-          : 0.0F;
+        // takeFaces() limits it.
+        state.batchWidth =
+          this->mesh_.cornersAt(vertex).size() > 0 ? std::numeric_limits<float>::max() : 0.0F;
       });
     this->takeFaces();
   }
@@ -176,6 +172,11 @@ private:
     return { first, sizeof(VertexState) / sizeof(double) };
   }
 
+  // Vertices belong to one batch if none is farther than another by more than half an edge: windows
+  // from one of them then seldom reach another. From 0.25 to 2 edges the number of windows hardly
+  // changes. It is the shortest edge at a vertex, which does not depend on the order of the faces:
+  // batches are the same however ranks share the surface.
+  //
   // In strips of thin faces, the distances of vertices side by side along the long edges differ by
   // the square of the altitude over the length. If one batch held many of these vertices, their
   // windows would pass through the strips side by side, each alone, and none would be merged.
@@ -184,18 +185,28 @@ private:
     for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
     {
       const FaceShape& shape = this->mesh_.shape(face);
+      const Triangle& corners = this->mesh_.triangle(face);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const double shorter = std::min(shape.length[k], shape.length[(k + 2) % 3]);
+        this->limitBatchWidth(corners[k], static_cast<float>(0.5 * shorter));
+      }
       this->longestEdge_ = std::max(this->longestEdge_, shape.longest());
       if (shape.isThin())
       {
         const double altitude = shape.area2 / shape.longest();
         const float width = static_cast<float>(0.5 * altitude * (altitude / shape.longest()));
-        for (const Id vertex : this->mesh_.triangle(face))
+        for (const Id vertex : corners)
         {
           this->states_[vertex].hasThinFaces = true;
-          this->states_[vertex].batchWidth = std::min(this->states_[vertex].batchWidth, width);
+          this->limitBatchWidth(vertex, width);
         }
       }
     }
+  }
+  void limitBatchWidth(Id vertex, float width)
+  {
+    this->states_[vertex].batchWidth = std::min(this->states_[vertex].batchWidth, width);
   }
 
   // At the end of a curve beside an edge the curve's parallel rays come first to a vertex behind

@@ -2,13 +2,34 @@
 #include "refinement/CutEdges.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geodesic
 {
 
+namespace
+{
+
+// By where its origin and its apex lie, as ranks have faces in another order than one process. If
+// two apexes are at one place, their order decides.
+Id nameOf(const TriangleMesh& mesh, Id halfedge)
+{
+  const auto key = [&mesh](Id h)
+  { return std::pair(mesh.point(mesh.origin(h)), mesh.point(mesh.opposite(h))); };
+  const Id first = mesh.edgeOf(halfedge);
+  Id least = first;
+  for (Id s = mesh.nextSibling(first); s != first; s = mesh.nextSibling(s))
+  {
+    least = key(s) < key(least) ? s : least;
+  }
+  return least;
+}
+
+} // anonymous namespace
+
 Id CutEdges::ensure(Id halfedge)
 {
-  const Id name = this->mesh_.edgeOf(halfedge);
+  const Id name = nameOf(this->mesh_, halfedge);
   const auto [found, isNew] = this->numbers_.emplace(name, this->size());
   if (isNew)
   {
@@ -19,7 +40,7 @@ Id CutEdges::ensure(Id halfedge)
 
 Id CutEdges::find(Id halfedge) const
 {
-  const auto found = this->numbers_.find(this->mesh_.edgeOf(halfedge));
+  const auto found = this->numbers_.find(nameOf(this->mesh_, halfedge));
   return found == this->numbers_.end() ? NoId : found->second;
 }
 

@@ -246,12 +246,10 @@ void FaceRefiner::mendShape(const OpenPart& open)
   const Vec2 near = places[isNearBegin ? k : next];
   const Vec2 along = (1.0 / lengths[k]) * (places[isNearBegin ? next : k] - near);
   const double height = std::abs(cross(along, places[apex] - near));
-  const double way = std::min(0.5 * lengths[k],
-    dot(along, places[apex] - near) + height / tangent(AngleMargin * this->leastAngle_));
-  if (way < least)
-  {
-    return; // no piece may be shorter than the shortest side
-  }
+  // No piece may be shorter than the shortest side.
+  const double way =
+    std::clamp(dot(along, places[apex] - near) + height / tangent(AngleMargin * this->leastAngle_),
+      least, 0.5 * lengths[k]);
   const PieceOfEdge piece =
     this->faces_.pieceBetween(*this->face_, part.corners[k], part.corners[next]);
   const double weight = way / lengths[k];

@@ -14,8 +14,8 @@ namespace geodesic
 namespace
 {
 
-/// An edge as all ranks know it that own a face there: the face with its lowest halfedge, and the
-/// halfedge's number in it.
+/// An edge as all ranks know it that own a face there: the face of the halfedge that names
+/// it, and the halfedge's number there.
 struct EdgeAddress
 {
   RankAddress face;
@@ -172,8 +172,9 @@ std::vector<Id> SplitsOfEdges::split(std::vector<SplitRequest> requests)
   return changed;
 }
 
-// The lowest rank that refines a face there. Faces are in the order of the ranks, and siblings in
-// the order of the faces. This rank refines one of its own: it has asked for the split.
+// The rank of the first face there that is refined, from the face that names the edge: it measures
+// what one process would. All ranks have these faces in one order. This rank refines one of its
+// own: it has asked for the split.
 int SplitsOfEdges::deciderOf(Id edge) const
 {
   const MeshPartition& surface = this->faces_.field.surface();

@@ -14,7 +14,7 @@ namespace geodesic
 {
 
 /// Puts points on edges, as faces have asked for them. Faces of several ranks at an edge get the
-/// same points, bit for bit: the lowest rank that refines a face there decides for all.
+/// same points, bit for bit: one rank that refines a face there decides for all.
 class SplitsOfEdges
 {
 public:

@@ -183,7 +183,8 @@ void SurfaceRefiner::takeChanged(const std::vector<Id>& edges)
     const CutEdge& e = this->faces_.edges[edge];
     const auto added = static_cast<Id>(e.points.size()) - this->pointsOn_[edge];
     this->pointsOn_[edge] += added;
-    const auto beside = this->options_.trianglesBeside.find(e.halfedge);
+    const auto beside =
+      this->options_.trianglesBeside.find(this->surface_.mesh().edgeOf(e.halfedge));
     Id triangles = beside == this->options_.trianglesBeside.end() ? 0 : beside->second;
     forEachFace(this->surface_.mesh(), SurfacePoint::onEdge(e.halfedge, 0.5),
       [&](Id face)

@@ -3,6 +3,7 @@
 #include "EngineSupport.h"
 
 #include "front/Retention.h"
+#include "front/VertexStates.h"
 
 #include <gtest/gtest.h>
 
@@ -69,5 +70,25 @@ TEST(Batches, FollowTheFrontAndAreAsWideAsHalfAnEdgeAtMost)
     propagate(mesh, engineCurves(mesh, source), options, batches);
     EXPECT_EQ(batches.settled.size(), plain.points.size());
     EXPECT_LE(batches.all, 3 * plain.points.size()) << "each is in few batches";
+  }
+}
+
+// On ranks faces are in another order than in one process.
+TEST(Batches, DoNotDependOnTheOrderOfFaces)
+{
+  for (const MeshKind& kind : meshKinds())
+  {
+    SCOPED_TRACE(kind.name);
+    Random random(1);
+    const PlainMesh mesh = kind.make(randomSize(random), random);
+    const Renumbered other = renumbered(mesh, random);
+    const TriangleMesh one = engineMesh(mesh);
+    const TriangleMesh two = engineMesh(other.mesh);
+    const geodesic::VertexStates states(one, false, false, {});
+    const geodesic::VertexStates otherStates(two, false, false, {});
+    for (Id vertex = 0; vertex < states.size(); ++vertex)
+    {
+      EXPECT_EQ(states[vertex].batchWidth, otherStates[other.vertexMap[vertex]].batchWidth);
+    }
   }
 }

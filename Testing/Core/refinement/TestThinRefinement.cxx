@@ -160,7 +160,7 @@ class ThinRefinement : public ::testing::TestWithParam<ThinKind>
 
 TEST_P(ThinRefinement, KeepsTheSurfaceItsAnglesAndTheBound)
 {
-  for (Random& random : EachSeed(6))
+  for (Random& random : EachSeed(20))
   {
     checkRefinement(GetParam().make(random), random);
   }
