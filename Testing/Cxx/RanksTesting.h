@@ -3,6 +3,7 @@
 #define RanksTesting_h
 
 #include "GeodesicTesting.h"
+#include "LineTesting.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
@@ -162,6 +163,32 @@ inline std::vector<std::pair<std::string, Cut>> Cuts(
   return cuts;
 }
 
+/// Lines of two points, each on a random rank.
+inline vtkSmartPointer<vtkPolyData> Dealt(vtkPolyData* lines, Ranks ranks)
+{
+  std::vector<Segment> own;
+  const std::vector<Point> places = PlacesOf(lines);
+  vtkIdType number = 0;
+  for (const std::vector<vtkIdType>& ids : CellsOf(lines->GetLines()))
+  {
+    if (AtRandom(ranks.Count)(number++) == ranks.Rank)
+    {
+      own.push_back(
+        { places[static_cast<std::size_t>(ids[0])], places[static_cast<std::size_t>(ids[1])] });
+    }
+  }
+  return LinesOf(own);
+}
+
+/// A sphere without symmetry.
+inline vtkSmartPointer<vtkPolyData> SphereOfRanks()
+{
+  return ChangedSphere(19, 14,
+    [](const Point& p) {
+      return Point{ p[0] + 0.5, p[1] + 0.01 * p[0], p[2] };
+    });
+}
+
 /// Of all ranks.
 inline double Sum(double own)
 {
@@ -181,6 +208,14 @@ struct Question
   bool IsApproximate = false;
   /// Whether the surface has them, so that there is a signed distance.
   bool HasSides = true;
+  /// What this rank has of the source, if not all.
+  vtkSmartPointer<vtkDataObject> OwnSource = nullptr;
+  /// What else is set.
+  std::function<void(vtkGeodesicDistanceField*)> Settings = nullptr;
+  /// Of arrays that are compared beside those that every question has.
+  std::vector<std::pair<std::string, double>> Tolerances = {};
+  /// Windows are as many as in one process only where there are many.
+  bool HasManyWindows = true;
 };
 
 /// Sources of all kinds in the unit square, beside IsInWall().
@@ -226,6 +261,10 @@ inline void Ask(
   filter->GenerateSourceArcLengthOn();
   filter->SetGenerateSignedDistance(question.HasSides);
   filter->SetGenerateTextureCoordinates(question.HasSides);
+  if (question.Settings)
+  {
+    question.Settings(filter);
+  }
 }
 
 /// A filter with a rank's piece.
@@ -235,6 +274,10 @@ inline vtkSmartPointer<vtkGeodesicDistanceField> Asked(
   auto filter = vtkSmartPointer<vtkGeodesicDistanceField>::New();
   filter->SetInputDataObject(0, piece);
   Ask(filter, question, hasBarriers);
+  if (question.OwnSource)
+  {
+    filter->SetSourceData(question.OwnSource);
+  }
   return filter;
 }
 
@@ -242,11 +285,13 @@ inline vtkSmartPointer<vtkGeodesicDistanceField> Asked(
 class Whole
 {
 public:
-  Whole(vtkPolyData* surface, const Question& question)
+  Whole(vtkPolyData* surface, Question question)
+    : Asked(std::move(question))
+    , HasBarrier(HasBarriers(surface))
   {
     this->Filter->SetController(nullptr);
     this->Filter->SetInputData(surface);
-    Ask(this->Filter, question, HasBarriers(surface));
+    Ask(this->Filter, this->Asked, this->HasBarrier);
     Messages messages(this->Filter);
     messages.Update();
     this->Warning = messages.Warning();
@@ -264,6 +309,8 @@ public:
     return Distances(this->Filter)->GetTuple1(this->NumberAt.at(p));
   }
 
+  Question Asked;
+  bool HasBarrier;
   vtkNew<vtkGeodesicDistanceField> Filter;
   std::map<Point, vtkIdType> NumberAt;
   double Largest = 0.0;
@@ -297,7 +344,8 @@ inline void CompareArrays(Check& check, vtkPolyData* output, const Whole& whole,
         worst = std::isnan(worst) || error <= worst ? worst : error;
       }
     }
-    check.That(worst <= tolerance * std::max(1.0, whole.Largest),
+    const double least = name == "GeodesicDistance" ? 0.0 : 1.0;
+    check.That(worst <= tolerance * std::max(least, whole.Largest),
       what + ": " + name + " is wrong by " + std::to_string(worst));
   }
 }
@@ -309,12 +357,14 @@ inline void CompareDistances(
 }
 
 /// Runs the filter with this rank's piece and compares with the surface in one process.
-inline void Compare(Check& check, vtkDataObject* piece, vtkPolyData* surface,
-  const Question& question, const std::string& name)
+///
+/// \returns the filter.
+inline vtkSmartPointer<vtkGeodesicDistanceField> Compare(
+  Check& check, vtkDataObject* piece, const Whole& whole, const std::string& name)
 {
+  const Question& question = whole.Asked;
   const std::string what = name + ", " + question.Name;
-  const Whole whole(surface, question);
-  const auto filter = Asked(piece, question, HasBarriers(surface));
+  auto filter = Asked(piece, question, whole.HasBarrier);
   Messages messages(filter);
   messages.Update();
   check.That(messages.Error().empty() && (messages.Warning().empty() || !whole.Warning.empty()),
@@ -334,6 +384,7 @@ inline void Compare(Check& check, vtkDataObject* piece, vtkPolyData* surface,
         arrays.end(), { { "SourceArcLength", 1e-12 }, { "SourceTextureCoordinates", 1e-11 } });
     }
   }
+  arrays.insert(arrays.end(), question.Tolerances.begin(), question.Tolerances.end());
   for (vtkPolyData* output : LeavesOf(filter->GetOutputDataObject(0)))
   {
     CompareArrays(check, output, whole, arrays, what);
@@ -362,11 +413,21 @@ inline void Compare(Check& check, vtkDataObject* piece, vtkPolyData* surface,
   double longest = 0.0;
   vtkMultiProcessController::GetGlobalController()->AllReduce(
     &length, &longest, 1, vtkCommunicator::MAX_OP);
-  near(longest, TotalLength(whole.Filter->GetOutput(1)), 1e-12, "the source on the surface");
-  near(length, length > 0.0 ? longest : 0.0, 1e-12, "the source on the surface");
+  const double expected = TotalLength(whole.Filter->GetOutput(1));
+  const double rounding = 1e-12 * std::max(1.0, expected / 4.0); // a unit square's boundary: 4
+  near(longest, expected, rounding, "the source on the surface");
+  near(length, length > 0.0 ? longest : 0.0, rounding, "the source on the surface");
+  for (const auto count : { &vtkPolyData::GetNumberOfLines, &vtkPolyData::GetNumberOfVerts })
+  {
+    const auto own = (filter->GetOutput(1)->*count)();
+    check.That(own == (whole.Filter->GetOutput(1)->*count)() || (own == 0 && length == 0.0),
+      what + ": lines and points of the source on the surface");
+  }
   const double windows = whole.Filter->GetWindowsPropagatedPerEdge();
   near(filter->GetWindowsPropagatedPerEdge(), windows,
-    question.IsApproximate ? windows : 0.05 * windows, "the number of windows an edge");
+    question.IsApproximate || !question.HasManyWindows ? windows : 0.05 * windows,
+    "the number of windows an edge");
+  return filter;
 }
 
 /// Runs a test under MPI: tests(Check&, Ranks) on every rank. It fails on all where it does on one.

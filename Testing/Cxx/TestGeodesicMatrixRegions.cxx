@@ -234,14 +234,12 @@ void CheckNamesPositionsAndBlocks(Check& check)
 void CheckBarriers(Check& check)
 {
   const auto surface = Square(8);
-  vtkNew<vtkIntArray> barrier;
-  barrier->SetName("Wall");
-  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
-  {
-    const Point p = MiddleOf(surface, i);
-    barrier->InsertNextValue(p[0] > 0.5 && p[0] < 0.625 && p[1] < 0.875 ? 1 : 0);
-  }
-  surface->GetCellData()->AddArray(barrier);
+  AddArrayOf<vtkIntArray>(surface->GetCellData(), "Wall", surface->GetNumberOfCells(),
+    [&](vtkIdType i)
+    {
+      const Point p = MiddleOf(surface, i);
+      return p[0] > 0.5 && p[0] < 0.625 && p[1] < 0.875 ? 1 : 0;
+    });
   const auto source = PointSources({ { 0.25, 0.25, 0 } });
   const auto targets =
     PointSources({ { 0.5625, 0.3, 0 }, { 0.5625, 0.4, 0 }, { 0.6, 0.3, 0 }, { 0.25, 0.75, 0 } });
@@ -270,14 +268,9 @@ void CheckErrors(Check& check)
   check.That(TableOf(check, matrix, "None").size() == 81, "None: each point is a target");
   matrix->SetTargetIdArrayName("Label");
   auto* labels = surface->GetCellData()->GetArray("Label");
-  vtkNew<vtkDoubleArray> halves;
-  halves->SetName("Label");
-  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
-  {
-    halves->InsertNextValue(0.5 * static_cast<double>(i));
-  }
   vtkSmartPointer<vtkDataArray> kept = labels;
-  surface->GetCellData()->AddArray(halves);
+  AddArrayOf<vtkDoubleArray>(surface->GetCellData(), "Label", surface->GetNumberOfCells(),
+    [](vtkIdType i) { return 0.5 * static_cast<double>(i); });
   CheckError(check, matrix, { "Label (TargetIdArrayName)", "whole number" }, "halves");
   vtkNew<vtkIntArray> pairs;
   pairs->SetName("Label");
@@ -285,11 +278,8 @@ void CheckErrors(Check& check)
   pairs->SetNumberOfTuples(surface->GetNumberOfCells());
   surface->GetCellData()->AddArray(pairs);
   CheckError(check, matrix, { "TargetIdArrayName", "2 components" }, "two components");
-  vtkNew<vtkIntArray> none;
-  none->SetName("Label");
-  none->SetNumberOfTuples(surface->GetNumberOfCells());
-  none->Fill(-1);
-  surface->GetCellData()->AddArray(none);
+  AddArrayOf<vtkIntArray>(
+    surface->GetCellData(), "Label", surface->GetNumberOfCells(), [](vtkIdType) { return -1; });
   CheckError(check, matrix, { "has no target", "Negative" }, "negative values alone");
   surface->GetCellData()->AddArray(kept);
   check.That(TableOf(check, matrix, "after errors").size() == Ids.size(), "good again");

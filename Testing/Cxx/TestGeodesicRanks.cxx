@@ -8,7 +8,6 @@
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkGeodesicContour.h"
 #include "vtkGeodesicDistanceMatrix.h"
 #include "vtkGeodesicPaths.h"
 #include "vtkMultiBlockDataSet.h"
@@ -27,78 +26,6 @@ using namespace GeodesicTesting;
 
 namespace
 {
-
-/// Contours and paths are as long as in one process. A target in a wall has no path.
-void CompareLines(Check& check, vtkPolyData* piece, vtkPolyData* surface, const std::string& name)
-{
-  const bool isFirst = vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0;
-  const auto targets =
-    PointSources({ { 0.9, 0.1, 0 }, { 0.1, 0.9, 0 }, { 0.5625, 0.3, 0 }, { 0.7, 0.3, 0 } });
-  const auto compare = [&](auto* alone, auto* filter)
-  {
-    alone->SetController(nullptr);
-    alone->SetInputData(surface);
-    filter->SetInputData(piece);
-    for (auto* one : { alone, filter })
-    {
-      one->SetBarrierArrayName(HasBarriers(surface) ? "barrier" : nullptr);
-      one->SetSourceData(Questions().front().Source);
-      RunWithoutError(check, one, name + ", lines");
-    }
-    const double expected = TotalLength(alone->GetOutput());
-    check.Near(Sum(TotalLength(filter->GetOutput())), expected, 1e-9 * expected,
-      name + ": contours or paths are as long as in one process");
-  };
-  vtkNew<vtkGeodesicContour> contourAlone;
-  vtkNew<vtkGeodesicContour> contour;
-  contourAlone->GenerateValues(5, 0.15, 0.95);
-  contour->GenerateValues(5, 0.15, 0.95);
-  compare(contourAlone.Get(), contour.Get());
-  vtkNew<vtkGeodesicPaths> pathsAlone;
-  vtkNew<vtkGeodesicPaths> paths;
-  pathsAlone->SetTargetsData(targets);
-  paths->SetTargetsData(isFirst ? targets : PointSources({}));
-  compare(pathsAlone.Get(), paths.Get());
-  for (const double lines : { Sum(static_cast<double>(paths->GetOutput()->GetNumberOfLines())),
-         static_cast<double>(pathsAlone->GetOutput()->GetNumberOfLines()) })
-  {
-    check.Equal(lines, HasBarriers(surface) ? 3.0 : 4.0, name + ": a target in a wall has no path");
-  }
-}
-
-/// Every way to cut a surface.
-void TestCuts(Check& check, Ranks ranks, vtkPolyData* surface)
-{
-  std::vector<std::string> names = { "in strips", "in space", "at random",
-    "with nothing on the last rank", "with nothing on the first rank", "all on the last rank" };
-  if (HasBarriers(surface))
-  {
-    names.emplace_back("barriers on a rank of their own");
-  }
-  std::vector<std::pair<std::string, vtkSmartPointer<vtkDataObject>>> pieces = {
-    { "a copy on every rank", surface },
-    { "ghosts in strips", PartWithGhosts(surface, Strips(surface, ranks.Count), ranks.Rank) },
-    { "ghosts at random", PartWithGhosts(surface, AtRandom(ranks.Count), ranks.Rank) },
-  };
-  for (const auto& [name, cut] : Cuts(surface, ranks, names))
-  {
-    const auto piece = PieceOf(surface, cut, ranks.Rank);
-    pieces.emplace_back(name, piece);
-    CompareLines(check, piece, surface, name);
-  }
-  // A rank has two blocks, which are joined as all others are.
-  const Cut halves = AtRandom(2 * ranks.Count);
-  pieces.emplace_back("blocks on each rank",
-    Blocks(
-      { PieceOf(surface, halves, 2 * ranks.Rank), PieceOf(surface, halves, 2 * ranks.Rank + 1) }));
-  for (const auto& [name, piece] : pieces)
-  {
-    for (const Question& question : Questions())
-    {
-      Compare(check, piece, surface, question, name);
-    }
-  }
-}
 
 /// With points that coincide left apart, global ids join the pieces.
 void TestGlobalIds(Check& check, Ranks ranks, vtkPolyData* surface)
@@ -167,37 +94,6 @@ void TestRoundings(Check& check, Ranks ranks, vtkPolyData* surface)
   check.Equal(filter->GetSeamPointsJoined(), joined, "and are counted once");
 }
 
-/// Half planes that meet in one edge, each on one rank or cut; fans that meet in one vertex.
-void TestBranches(Check& check, Ranks ranks)
-{
-  auto surface = Mesh({}, {});
-  constexpr int sheets = 5;
-  constexpr double pi = 3.14159265358979323846;
-  for (int sheet = 0; sheet < sheets; ++sheet)
-  {
-    const double angle = 2.0 * pi * sheet / sheets;
-    Append(surface,
-      Moved(Square(4),
-        [angle](const Point& p) {
-          return Point{ 0.4 * p[0] * std::cos(angle), 0.4 * p[0] * std::sin(angle), 0.4 * p[1] };
-        }));
-  }
-  // A second fan at the end of the common edge.
-  Append(
-    surface, Mesh({ { 0.0, 0.0, 0.4 }, { -0.1, 0.0, 0.6 }, { 0.1, 0.02, 0.6 } }, { { 0, 1, 2 } }));
-  Question point{ "a point on one sheet", PointSources({ { 0.25, 0.0, 0.05 } }) };
-  Question boundary{ "the boundary", nullptr, vtkGeodesicDistanceField::SURFACE_BOUNDARY };
-  const Cut bySheets = [&](vtkIdType face) { return static_cast<int>(face / 32) % ranks.Count; };
-  point.HasSides = false;
-  boundary.HasSides = false;
-  for (const Cut& cut : { bySheets, AtRandom(ranks.Count) })
-  {
-    const auto piece = PieceOf(surface, cut, ranks.Rank);
-    Compare(check, piece, surface, point, "sheets that meet in an edge");
-    Compare(check, piece, surface, boundary, "sheets that meet in an edge");
-  }
-}
-
 /// The point as a grid of a vertex: alone it is a set of points. With a solid, which is no
 /// source, ids are those of cells.
 vtkSmartPointer<vtkUnstructuredGrid> GridOfVertex(const Point& p, bool hasSolid)
@@ -259,6 +155,35 @@ void TestSourcesOnRanks(Check& check, Ranks ranks, vtkPolyData* surface)
   }
 }
 
+/// Ids are values of an array of the cells, wherever these are; a rank without cells needs none.
+void TestNames(Check& check, Ranks ranks, vtkPolyData* sphere)
+{
+  const auto all = Section(sphere, { 0, 0, 1 }, { 0, 0, 0.013 });
+  const auto lines = ranks.Rank == 1 ? vtkSmartPointer<vtkPolyData>::New() : Dealt(all, ranks);
+  vtkNew<vtkIdTypeArray> labels;
+  labels->SetName("label");
+  for (vtkIdType i = 0; i < lines->GetNumberOfLines(); ++i)
+  {
+    labels->InsertNextValue(700 + ranks.Rank);
+  }
+  if (ranks.Rank != 1)
+  {
+    lines->GetCellData()->AddArray(labels);
+  }
+  const auto filter = PlainField(PieceOf(sphere, Strips(sphere, ranks.Count), ranks.Rank), lines);
+  filter->SetSourceIdArrayName("label");
+  filter->GenerateSourceIdsOn();
+  RunWithoutError(check, filter, "names");
+  std::set<double> ids;
+  vtkDataArray* ofPoints = filter->GetOutput()->GetPointData()->GetArray("SourceId");
+  for (vtkIdType i = 0; i < ofPoints->GetNumberOfTuples(); ++i)
+  {
+    ids.insert(ofPoints->GetTuple1(i));
+  }
+  check.That(!ids.empty() && *ids.begin() >= 700.0 && *ids.rbegin() < 700.0 + ranks.Count &&
+      ids.count(701.0) == 0,
+    "the ids of all ranks are values of the array");
+}
 /// Targets far from the surface, on whichever rank they were and wherever they were put, are told
 /// once, in the order of all.
 void TestFarTargets(Check& check, Ranks ranks, vtkPolyData* surface)
@@ -441,6 +366,48 @@ void TestUnreadableCells(Check& check, Ranks ranks, vtkPolyData* surface)
       "all ranks name the cell of one that cannot be read");
     CheckOutputsEmpty(check, filter, "a cell that cannot be read on one rank");
   }
+}
+
+/// The array of barriers may be on some ranks only, and on none; errors are the same on all of
+/// them.
+void TestErrorsOfBarriers(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  const Cut cut = BarriersApart(surface, ranks.Count);
+  const auto piece = [&]() { return PieceOf(surface, cut, ranks.Rank); };
+  const auto expect = [&](vtkPolyData* data, const Question& question,
+                        const std::vector<std::string>& words, const std::string& what)
+  {
+    const auto filter = Asked(data, question, true);
+    Messages messages(filter);
+    messages.ExpectError(check, words, what);
+    check.That(!words.empty() || messages.Error().empty(), what + ": " + messages.Error());
+    check.Equal(filter->GetOutput()->GetNumberOfCells(),
+      words.empty() ? static_cast<double>(data->GetNumberOfCells()) : 0.0, what + ": cells");
+  };
+  const Question point = Questions().front();
+  auto some = piece();
+  if (ranks.Count > 1 && ranks.Rank != ranks.Count - 1)
+  {
+    some->GetCellData()->RemoveArray("barrier");
+  }
+  expect(some, point, {}, "the array on one rank");
+  auto none = piece();
+  none->GetCellData()->RemoveArray("barrier");
+  expect(none, point, { "no cell array named barrier" }, "the array on no rank");
+  auto all = piece();
+  all->GetCellData()->GetArray("barrier")->Fill(1.0);
+  expect(all, point, { "All faces of the surface" }, "barriers everywhere");
+  Question inside{ "inside", PointSources({ { 0.1, 0.1, 0 }, { 0.5625, 0.31, 0 } }) };
+  expect(piece(), inside,
+    { "Point 1 of the source", "lies in a barrier", "cell ",
+      "of the surface (input port 0)" +
+        (ranks.Count > 1 ? " on rank " + std::to_string(ranks.Count - 1) : std::string()) },
+    "a source in a barrier");
+  auto frame = WithBarriers(Square(8),
+    [](const Point& p) { return p[0] < 0.125 || p[0] > 0.875 || p[1] < 0.125 || p[1] > 0.875; });
+  const Question boundary = Questions()[4];
+  expect(PieceAtRandom(frame, ranks), boundary, { "The whole boundary", "barriers" },
+    "a boundary that barriers have");
 }
 
 /// An error or an abort on one rank is one on all.
@@ -644,17 +611,16 @@ int TestGeodesicRanks(int argc, char* argv[])
     [](Check& check, Ranks ranks)
     {
       const auto surface = NoisySquare(12);
-      TestCuts(check, ranks, surface);
-      TestCuts(check, ranks, WithBarriers(NoisySquare(16), IsInWall));
       TestGlobalIds(check, ranks, surface);
       TestRoundings(check, ranks, surface);
-      TestBranches(check, ranks);
       TestSourcesOnRanks(check, ranks, surface);
+      TestNames(check, ranks, SphereOfRanks());
       TestFarTargets(check, ranks, surface);
       TestPathsAtTargets(check, ranks, surface, 1.0);
       TestPathsAtTargets(check, ranks, surface, 1e40);
       TestFacesOfPaths(check, ranks, surface);
       TestUnreadableCells(check, ranks, surface);
+      TestErrorsOfBarriers(check, ranks, WithBarriers(NoisySquare(16), IsInWall));
       TestFailures(check, ranks, surface);
       TestPointsThatAreNotFinite(check, ranks, surface);
       TestAgain(check, ranks, surface);

@@ -36,14 +36,11 @@ void CheckInside(Check& check, vtkGeodesicDistanceField* filter, const std::vect
     {
       continue;
     }
-    Point closest;
-    Point place;
-    Point gradient;
-    values->GetArray("ClosestSourcePoint")->GetTuple(i, closest.data());
-    values->GetArray("DistanceGradient")->GetTuple(i, gradient.data());
-    filter->GetOutput()->GetPoint(i, place.data());
-    check.That(closest == place, name + ": a point inside is its own closest point");
-    check.That(gradient == Point{}, name + ": no gradient inside");
+    check.That(
+      TupleAt(values->GetArray("ClosestSourcePoint"), i) == PointAt(filter->GetOutput(), i),
+      name + ": a point inside is its own closest point");
+    check.That(
+      TupleAt(values->GetArray("DistanceGradient"), i) == Point{}, name + ": no gradient inside");
     const double distance = values->GetArray("SignedGeodesicDistance")->GetTuple1(i);
     check.That(distance == 0.0 && !std::signbit(distance), name + ": the distance inside is +0");
     check.Equal(values->GetArray("SourceId")->GetTuple1(i), 0.0, name + ": the id inside");
@@ -63,9 +60,7 @@ void CheckRegion(Check& check, const Region& region, const std::string& name)
     filter->SetInputData(region.Surface);
     filter->SetSourceData(data);
     filter->SetSourceIdArrayName("One");
-    Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty(), name + ": " + messages.Error());
+    RunWithoutError(check, filter, name);
     CompareWithTruth(check, filter, truth, name);
     CheckInside(check, filter, PointsInside(region), name);
     const double length = OutlineLength(region);
@@ -147,9 +142,7 @@ void CheckWhole(Check& check, vtkPolyData* surface, double length, const std::st
   vtkNew<vtkPolyData> copy;
   copy->DeepCopy(surface);
   filter->SetSourceData(copy);
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), name + ": " + messages.Error());
+  RunWithoutError(check, filter, name);
   CheckDistances(
     check, filter, [](const Point&) { return 0.0; }, name);
   check.That(std::abs(filter->GetSourceLength() - length) < 1e-12, name + ": its outline");

@@ -466,28 +466,18 @@ void CheckPointsOfHiddenCells(Check& check)
 void CheckBarriersAndHiddenCells(Check& check)
 {
   const auto input = WithNumbers(TwoSquaresAndUnusedPoints());
-  vtkNew<vtkIntArray> barrier;
-  barrier->SetName("Barrier");
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
-  {
-    const bool isSecond = cell >= input->GetNumberOfCells() / 2;
-    barrier->InsertNextValue(isSecond ? 1 : 0);
-    ghosts->InsertNextValue(0);
-  }
-  input->GetCellData()->AddArray(barrier);
+  const vtkIdType cells = input->GetNumberOfCells();
+  AddArrayOf<vtkIntArray>(input->GetCellData(), "Barrier", cells,
+    [cells](vtkIdType cell) { return cell >= cells / 2 ? 1 : 0; });
   const auto filter = PlainField(input, Line());
   filter->SetBarrierArrayName("Barrier");
   filter->RemoveUnusedPointsOn();
   filter->Update();
   CheckUsedPoints(check, input, filter->GetOutput(), "barriers");
 
-  for (vtkIdType cell = input->GetNumberOfCells() / 2; cell < input->GetNumberOfCells(); ++cell)
-  {
-    ghosts->SetValue(cell, vtkDataSetAttributes::HIDDENCELL);
-  }
-  input->GetCellData()->AddArray(ghosts);
+  AddArrayOf<vtkUnsignedCharArray>(input->GetCellData(), vtkDataSetAttributes::GhostArrayName(),
+    cells,
+    [cells](vtkIdType cell) { return cell >= cells / 2 ? vtkDataSetAttributes::HIDDENCELL : 0; });
   input->Modified();
   filter->SetBarrierArrayName(nullptr);
   filter->Update();
