@@ -17,13 +17,14 @@ case $release in
     ;;
 esac
 
-needed=(g++ cmake ninja-build python3-dev python3-venv python3-numpy python3-scikit-build-core
-  python3-pyvista python3-trimesh xvfb xauth libgl1-mesa-dri)
+needed=(python3-numpy python3-pyvista python3-trimesh xvfb xauth libgl1-mesa-dri)
 options=(--no-build-isolation --no-deps)
 if [ -z "$(missing_packages python3-paraview)" ]; then
+  needed+=(g++ cmake ninja-build python3-dev python3-venv python3-scikit-build-core)
   options+=(-C cmake.define.GEODESIC_USE_PARAVIEW=ON)
-else
-  needed+=(libvtk9-dev python3-vtk9)
+else # the packages that the page names have to do
+  read -ra named < <(sed -n 's/^apt-get install --no-remove //p' "$top/Examples/Python.md")
+  needed+=("${named[@]}")
 fi
 install_missing "${needed[@]}"
 

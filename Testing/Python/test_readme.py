@@ -162,17 +162,26 @@ class HowTo(InFolder):
             np.testing.assert_allclose(sorted(sides[1]), sorted(sides[0]), rtol=1e-8, atol=1e-8)
 
     def assert_regions(self, names):
-        """The ball's faces are numbered from both poles on, then along the meridians: the first region has the caps at
-        the poles, and touches all others, which are farthest from each other across a cap."""
+        """Five bands of the ball, between normals of the heights below. A band has whole rows of faces, of 99 from pole
+        to pole, and so its ends are half a row off at most."""
+        borders = 0.5 * np.arcsin([-0.75, -0.25, 0.25, 0.75])  # along a meridian, from the equator
+        row = np.pi / 2 / 99
         table = data(names["regions"])
-        count = table.GetNumberOfRows()
-        between = np.array([[table.GetValueByName(i, f"Source{j}").ToDouble() for j in range(count)]
-                            for i in range(count)])
-        self.assertGreater(count, 5)
+        between = np.array([[table.GetValueByName(i, f"Source{j}").ToDouble() for j in range(5)] for i in range(5)])
+        self.assertEqual(table.GetNumberOfRows(), 5)
+        expected = np.zeros((5, 5))
+        for i in range(5):
+            for j in range(i + 1, 5):
+                expected[i, j] = expected[j, i] = borders[j - 1] - borders[i]
+        np.testing.assert_allclose(between, expected, atol=row)
         np.testing.assert_array_equal(between, between.T)
-        np.testing.assert_array_equal(np.diagonal(between), 0)
-        np.testing.assert_allclose(between[0], 0, atol=1e-7)
-        self.assertAlmostEqual(between.max(), np.sin(np.pi / 99), delta=0.002)
+        np.testing.assert_array_equal(between == 0, expected == 0)
+
+        heights = vtk_to_numpy(data(names["fromTop"]).GetPoints().GetData())[:, 2]
+        below = borders[-1] - 0.5 * np.arcsin(np.clip(heights / 0.5, -1, 1))
+        found = distances(names["fromTop"])
+        np.testing.assert_allclose(found, np.maximum(below, 0), atol=row)
+        np.testing.assert_array_equal(found[below < -row], 0)
 
     def assert_table(self):
         with open("distances.csv") as file:

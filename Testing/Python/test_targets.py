@@ -222,7 +222,9 @@ class ClickedPoints(unittest.TestCase):
 class Regions(unittest.TestCase):
     def test_of_one_label_are_one_target(self):
         """Columns of squares: the label is that of the sixth of the plane's width, and there are 24."""
-        faces = simple.GenerateIds(Input=plane(), CellIdsArrayName="Face")
+        # The same filter, which has another name from ParaView 5.13 on.
+        number = simple.PointAndCellIds if hasattr(simple, "PointAndCellIds") else simple.GenerateIds
+        faces = number(Input=plane(), CellIdsArrayName="Face")
         strips = simple.Calculator(Input=faces, AttributeType="Cell Data", ResultArrayName="Label",
                                    Function="floor((Face - 24 * floor(Face / 24)) / 8)")
         between = simple.GeodesicDistanceMatrix(Input=plane(), Source=strips, SourceIdArrayName="Label",
