@@ -352,6 +352,7 @@ std::vector<std::vector<LocatedPolyline>> cutAtFacesWithoutArea(std::vector<Loca
   std::vector<CornerOfFace> firstAt;
   std::vector<Triangle> triangles;
   std::vector<std::size_t> faceOf;
+  std::vector<bool> isCut(faces.size(), false);
   for (std::size_t face = 0; face < faces.size(); ++face)
   {
     for (std::size_t i = 0; i < corners[face].size(); ++i)
@@ -365,22 +366,28 @@ std::vector<std::vector<LocatedPolyline>> cutAtFacesWithoutArea(std::vector<Loca
     for (const Triangle& t : FaceTriangles::trianglesOf(faces[face].points))
     {
       const auto number = [&](std::size_t k) { return static_cast<Id>(corners[face][t[k]]); };
-      triangles.push_back({ number(0), number(1), number(2) });
-      faceOf.push_back(face);
+      const Triangle triangle = { number(0), number(1), number(2) };
+      if (hasThreeVertices(triangle))
+      {
+        triangles.push_back(triangle);
+        faceOf.push_back(face);
+      }
+      isCut[face] = isCut[face] || !hasThreeVertices(triangle);
     }
   }
   std::vector<std::uint64_t> keys;
   const CutTriangles cut =
     removeFacesWithoutArea(points, keys, points.size(), triangles, {}, OneRank::instance());
   std::vector<std::vector<LocatedPolyline>> parts(faces.size());
-  std::vector<bool> isCut(faces.size(), false);
-  for (std::size_t i = 0; i < cut.parts.size(); ++i)
+  const std::vector<Triangle>& allParts = cut.isEmpty() ? triangles : cut.parts;
+  for (std::size_t i = 0; i < allParts.size(); ++i)
   {
-    const std::size_t face = faceOf[cut.triangles[i]];
-    const Triangle& part = cut.parts[i];
+    const std::size_t triangle = cut.isEmpty() ? i : cut.triangles[i];
+    const std::size_t face = faceOf[triangle];
+    const Triangle& part = allParts[i];
     const std::array<Vec3, 3> at = { points[part[0]], points[part[1]], points[part[2]] };
     const bool hasArea = !isWithoutArea(shapeOf(at), at);
-    isCut[face] = isCut[face] || part != triangles[cut.triangles[i]] || !hasArea;
+    isCut[face] = isCut[face] || part != triangles[triangle] || !hasArea;
     if (hasArea)
     {
       parts[face].push_back(partOf(faces[face], part, points, firstAt, faces));

@@ -388,7 +388,9 @@ void leaveOutBarriers(const PolyDataSurface& surface, double coordinatePrecision
   }
   const std::vector<LocatedPolyline> inside = pointsInside(sources.faces);
   const LocatedPlaces located = locator.locate(inside, coordinatePrecision, job);
-  const std::vector<RankAddress> barriers = barriersAt(surface, located, coordinatePrecision);
+  // Thin faces, too, lie in one or in the other: no rim.
+  const std::vector<RankAddress> barriers =
+    surface.barriers->barriersAt(located.places, located.faces, coordinatePrecision, 0.0);
   std::size_t left = 0;
   for (std::size_t i = 0; i < inside.size(); ++i)
   {
