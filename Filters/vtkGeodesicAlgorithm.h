@@ -4,54 +4,39 @@
  * @brief   what filters that measure geodesic distance on a surface have in common
  *
  * vtkGeodesicAlgorithm is the superclass of filters that take a surface on input port 0 and,
- * optionally, a source on input port 1, from which distances on the surface are measured. It reads
- * both, keeps the structure of the surface from one execution to the next, and turns what goes
- * wrong into VTK's errors with empty outputs. What follows holds for all of these filters.
+ * optionally, a source on input port 1, from which distances on the surface are measured. What
+ * follows holds for all of these filters; the page Reference (Filters/Reference.md) has the
+ * details, and lists errors and warnings.
  *
  * @par Surface (port 0):
  * A vtkPolyData of polygons or strips, which are triangulated, or a vtkUnstructuredGrid of
- * two-dimensional cells; outputs that show the surface are a vtkPolyData in either case. Any
- * triangulation will do: with boundary and holes, several components, edges of three and more
- * faces, and inconsistent orientation.
+ * two-dimensional cells. Any triangulation will do: with boundary, several components, edges of
+ * three and more faces, and inconsistent orientation.
  *
  * @par Source (port 1):
  * Each polyline is a curve, as are lines that meet (see SetJoinLines()); each point of a vertex
- * cell is a point source; faces are regions; in data without other cells than vertices each point
- * is a source of its own. Of a vtkUnstructuredGrid the vertices, lines and flat faces are sources,
- * of any other vtkPointSet the points. The source need not lie on the surface: its points are put
- * onto the closest points, and consecutive ones in different faces are joined by the shortest path.
- * @par
- * A region consists of the faces with one id (SetSourceIdArrayName()); without ids, of faces that
- * meet in edges (SetJoinLines()). The edges that one of these faces uses are its outline, a curve.
- * The faces of the surface that it covers, because they are its faces or were cut from the same
- * polygons, belong to the source as a whole: their distance is 0.
+ * cell is a point source; faces are regions, whose distance is 0; in data without other cells than
+ * vertices each point is a source of its own. Of a vtkUnstructuredGrid the vertices, lines and flat
+ * faces are sources, of any other vtkPointSet the points. Points of the source are put onto the
+ * closest points of the surface, and consecutive ones are joined by the shortest path.
  *
  * @par Composite inputs:
  * Each port takes such a data set, or a vtkMultiBlockDataSet, vtkPartitionedDataSet or
- * vtkPartitionedDataSetCollection of these. All blocks of a surface are one surface with one
- * distance field (see SetMergeCoincidentPoints() for where they are joined), all blocks of a source
- * one source, whose ids go on from block to block. Duplicate ghost cells take what they duplicate
- * gets; hidden cells are holes.
+ * vtkPartitionedDataSetCollection of these. All blocks of a surface are one surface, all blocks of
+ * a source one source, whose ids go on from block to block.
  *
  * @par Execution:
- * The structure of the surface is kept, so that executing again with another source costs only the
- * propagation, and is released after each execution if ReleaseDataFlag is set. Inputs are never
- * modified. Progress is reported, and abort is obeyed. The threads are those of vtkSMPTools; the
- * result is the same, to the last bit, for any number of them.
+ * The structure of the surface is kept for the next execution, unless ReleaseDataFlag is set.
+ * Inputs are never modified. The threads are those of vtkSMPTools; the result is the same, to the
+ * last bit, for any number of them.
  *
  * @par Errors and warnings:
- * Each thing that goes wrong gives one error, and all outputs are empty; see GetErrorMessage(). A
- * warning is not repeated at every time step while its cause persists.
+ * Each thing that goes wrong gives one error, and all outputs are empty; see GetErrorMessage().
  *
  * @par Pieces and ranks:
- * In one process the filter works on the whole of its inputs, whatever piece is asked for: piece 0
- * of its outputs has everything, and the others are empty. If the controller (SetController()) has
- * several processes, executing is collective, and a rank's output is that of its own piece of the
- * one surface, with the distances of one process, to the last bits.
- *
- * @par
- * The page Reference (Filters/Reference.md) has the details of all of this, and lists errors and
- * warnings.
+ * In one process piece 0 of the outputs has everything, and the others are empty. If the controller
+ * (SetController()) has several processes, executing is collective, and a rank's output is that of
+ * its own piece of the one surface.
  *
  * @sa
  * vtkGeodesicDistanceField vtkGeodesicContour vtkGeodesicPaths vtkGeodesicDistanceMatrix
@@ -89,8 +74,7 @@ public:
 
   ///@{
   /**
-   * The source on port 1: curves and points, a vtkPolyData, vtkUnstructuredGrid or other
-   * vtkPointSet, or a composite data set of these. Not needed when the boundary is the source.
+   * The source on port 1. Not needed when the boundary is the source.
    */
   void SetSourceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetSourceData(vtkDataObject* source) { this->SetInputDataInternal(1, source); }
@@ -120,12 +104,10 @@ public:
 
   ///@{
   /**
-   * Whether cells of the source that are lines of two points, as filters that cut or find edges
-   * make them, are joined to curves. On by default. A curve is a maximal chain of such lines
-   * through points at which exactly two of them meet, also in different blocks or on different MPI
-   * ranks. It runs as most of its lines do; its id is the lowest cell id among its lines. Polylines
-   * of more points stay as they are. Faces with a common edge are joined to one region, whose id
-   * is that of its first face.
+   * Whether cells of the source that are lines of two points are joined to curves, through points
+   * at which exactly two of them meet. On by default. A curve runs as most of its lines do; its id
+   * is the lowest cell id among its lines. Faces with a common edge are joined to one region, whose
+   * id is that of its first face.
    */
   vtkSetMacro(JoinLines, bool);
   vtkGetMacro(JoinLines, bool);
@@ -146,13 +128,10 @@ public:
 
   ///@{
   /**
-   * Whether points at one place are one point, so that faces around it are connected. On by
-   * default: formats without shared points (STL) or with seams (OBJ) need it. These are points with
+   * Whether points at one place are one point, so that faces around it are connected: points with
    * equal coordinates and, on the boundary of the surface or of its blocks and pieces, points that
-   * differ by a few roundings of the precision in which they are stored. The output keeps the
-   * points of the input in either case. A warning counts what still looks like a crack. If points
-   * are kept apart, the point array `vtkOriginalPointIds` of a source or of targets says which one
-   * is meant.
+   * differ by a few roundings of the precision in which they are stored. On by default. The output
+   * keeps the points of the input in either case.
    */
   vtkSetMacro(MergeCoincidentPoints, bool);
   vtkGetMacro(MergeCoincidentPoints, bool);
@@ -162,9 +141,8 @@ public:
   ///@{
   /**
    * How far apart two points on the boundary may be that are one point, with
-   * MergeCoincidentPoints, in the units of the surface: closes wider cracks. 0, the default: only
-   * roundings. Points farther apart than half of the shortest edge at either of them stay apart, so
-   * that no edge collapses.
+   * MergeCoincidentPoints, in the units of the surface; at most half of the shortest edge at either
+   * of them. 0, the default: only roundings. A negative number or NaN is an error.
    */
   vtkSetMacro(MergeTolerance, double);
   vtkGetMacro(MergeTolerance, double);
@@ -173,11 +151,10 @@ public:
   ///@{
   /**
    * Name of a numeric cell array of the surface that is not 0 in its barriers, faces that no path
-   * passes through. Empty (null), the default, and "None" stand for no barriers, also if the
-   * surface has active cell scalars. The array has one component and a value for each cell, or for
-   * each face; blocks and pieces without it have no barriers. An array that none has, or with NaN
-   * in it, is an error, as is a curve with a point inside a barrier. Paths may run along a
-   * barrier's rim, which is no boundary of the surface.
+   * passes through. Empty (null), the default, and "None" stand for no barriers. The array has one
+   * component and a value for each cell, or for each face; blocks and pieces without it have no
+   * barriers. An array that none has, or with NaN in it, is an error, as is a curve with a point
+   * inside a barrier.
    */
   vtkSetStringMacro(BarrierArrayName);
   vtkGetStringMacro(BarrierArrayName);
@@ -185,9 +162,8 @@ public:
 
   ///@{
   /**
-   * The processes among which the surface may be distributed. By default these are those of the
-   * global controller. With more than one process executing is collective: all of them execute, and
-   * every port is asked for this rank's piece. With null this process works alone: a filter that is
+   * The processes among which the surface may be distributed, by default those of the global
+   * controller. All of them execute together. With null this process works alone: a filter that is
    * executed on one rank only, or on a surface of its own on each, needs that.
    */
   void SetController(vtkMultiProcessController* controller);

@@ -9,11 +9,9 @@
  *
  * @par Algorithm:
  * In a face the distance is the least of a few functions, each of which is the distance from an
- * unfolded point or, where a segment of a curve is nearest, from a line (see
- * vtkGeodesicDistanceField). So the lines are made of arcs of circles and straight pieces, drawn
- * face by face from the windows, not from an interpolant: all points are exactly at the value, up
- * to rounding, and chords are nowhere farther from their arc than ChordTolerance. A point on an
- * edge of the mesh is solved once for all faces around, so that lines join without a tolerance.
+ * unfolded point or from a line (see vtkGeodesicDistanceField). So the lines are made of arcs of
+ * circles and straight pieces, drawn face by face from the windows, not from an interpolant: all
+ * points are exactly at the value, up to rounding.
  *
  * @par Input:
  * Port 0 takes the surface, port 1, optional, the source: see vtkGeodesicAlgorithm, also for
@@ -37,10 +35,9 @@
  * passes the vertex on the side nearer to the source, by less than a rounding of the distance.
  *
  * @par Execution:
- * The propagation stops beyond the largest value, and keeps windows only of faces that may hold a
- * value. If there are several ranks, each has the lines in its piece of the surface. Lines end at
- * seams, where the lines of another rank go on from points with the same coordinates. The source
- * itself, at a value of 0, is on rank 0.
+ * The propagation stops beyond the largest value. If there are several ranks, each has the lines in
+ * its piece of the surface. Lines end at seams, where the lines of another rank go on from points
+ * with the same coordinates. The source itself, at a value of 0, is on rank 0.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
@@ -101,43 +98,28 @@ public:
 
   ///@{
   /**
-   * The largest distance of a chord from the arc that it stands for, as a fraction of the diagonal
-   * of the bounding box of the points that faces use. Default: 0.0001. Used unless
-   * ToleranceIsAbsolute is on. Anything but a positive number is an error. A tolerance below 1e-12
-   * of an arc's radius counts as 1e-12 of the radius: points are not more exact.
+   * The largest distance of a chord from the arc that it stands for: ChordTolerance, as a fraction
+   * of the diagonal of the bounding box of the points that faces use (default: 0.0001), or, where
+   * ToleranceIsAbsolute is on (off by default), AbsoluteChordTolerance, in the units of the surface
+   * (default: 1). Anything but a positive number is an error. A tolerance below 1e-12 of an arc's
+   * radius counts as 1e-12 of the radius: points are not more exact.
    */
   vtkSetMacro(ChordTolerance, double);
   vtkGetMacro(ChordTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether AbsoluteChordTolerance is used in place of ChordTolerance. Off by default.
-   */
   vtkSetMacro(ToleranceIsAbsolute, bool);
   vtkGetMacro(ToleranceIsAbsolute, bool);
   vtkBooleanMacro(ToleranceIsAbsolute, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The largest distance of a chord from the arc that it stands for, in the units of the surface.
-   * Default: 1. Used where ToleranceIsAbsolute is on. Anything but a positive number is an error.
-   */
   vtkSetMacro(AbsoluteChordTolerance, double);
   vtkGetMacro(AbsoluteChordTolerance, double);
   ///@}
 
   ///@{
   /**
-   * Whether a value means one side of the curves only: a positive one the points whose shortest
-   * path comes from the left of the oriented curve, seen with the normals of the faces towards the
-   * viewer, a negative one those on its right, at the distance of its absolute value. Off by
-   * default. Sides are those of vtkGeodesicDistanceField::SetGenerateSignedDistance(): points and
-   * the boundary have a positive side only. Lines end where the sign jumps, such as beyond open
-   * ends of a curve, and run so that the signed distance grows to their left, which is the curve's
-   * own direction. An edge of three and more faces, or faces of opposite orientation side by side,
-   * is an error.
+   * Whether values are those of vtkGeodesicDistanceField::SetGenerateSignedDistance(): a positive
+   * one means points on the left of the curves only, a negative one those on their right. Off by
+   * default. Lines end where the sign jumps, such as beyond open ends of a curve, and run so that
+   * the signed distance grows to their left. An edge of three and more faces, or faces of opposite
+   * orientation side by side, is an error.
    */
   vtkSetMacro(SignedDistances, bool);
   vtkGetMacro(SignedDistances, bool);

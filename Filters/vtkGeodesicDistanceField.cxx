@@ -236,7 +236,7 @@ public:
     this->TakeNumbers(solved);
     if (result.isRefined)
     {
-      const RefinedMesh& refined = solved.refined.mesh;
+      const RefinedMesh& refined = solved.refined;
       result.hasNewPoints = surface.exchange().isTrueAnywhere(!refined.points.empty());
       this->TakeErrorBound(refined, result.hasNewPoints, displaced);
     }
@@ -245,8 +245,8 @@ public:
     {
       result.bySource = this->FindSources(solved, result.isRefined);
     }
-    result.refined = partsByBlock(
-      surface, std::move(solved.refined.mesh), std::move(result.bySource.atRefinedPoints));
+    result.refined =
+      partsByBlock(surface, std::move(solved.refined), std::move(result.bySource.atRefinedPoints));
     surface.completeValues(Infinity, result.vertexDistances);
     return result;
   }

@@ -38,10 +38,9 @@
  * refinement has added. Of a composite surface it has the structure and the names
  * (GetOutputDataObject(0); GetOutput() is null then), and each block has its own points and arrays:
  * - point data array `GeodesicDistance` (or DistanceArrayName), in double precision,
- * - if they are asked for, the point data arrays of SetGenerateSourceIds() and of the properties
- *   that follow it,
- * - cell data array `OriginalCellIds`, if the mesh was refined: the cell of the input (of the
- * block) that each triangle is a part of,
+ * - if they are asked for, the point data arrays of SetGenerateSourceIds() and the next properties,
+ * - cell data array `OriginalCellIds`, if the mesh was refined: the cell of the input (of its
+ *   block) that each triangle is a part of,
  * - field data arrays with the names of the getters below; with GenerateSourceAngle `SourceFrame`.
  * @par
  * Port 1 has the source as it lies on the surface: polylines with a point at every mesh edge that
@@ -129,29 +128,17 @@ public:
 
   ///@{
   /**
-   * The largest difference between the linear interpolant of the output and the computed distance,
-   * as a fraction of the diagonal of the bounding box of the points that faces use. Default: 0.001.
-   * Used unless ToleranceIsAbsolute is on. Anything but a positive number is an error.
+   * The largest difference between the linear interpolant of the output and the computed distance:
+   * RefinementTolerance, as a fraction of the diagonal of the bounding box of the points that faces
+   * use (default: 0.001), or, where ToleranceIsAbsolute is on (off by default),
+   * AbsoluteRefinementTolerance, in the units of the surface (default: 1). Anything but a positive
+   * number is an error.
    */
   vtkSetMacro(RefinementTolerance, double);
   vtkGetMacro(RefinementTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether AbsoluteRefinementTolerance is used in place of RefinementTolerance. Off by default.
-   */
   vtkSetMacro(ToleranceIsAbsolute, bool);
   vtkGetMacro(ToleranceIsAbsolute, bool);
   vtkBooleanMacro(ToleranceIsAbsolute, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The largest difference between the linear interpolant of the output and the computed distance,
-   * in the units of the surface. Default: 1. Used where ToleranceIsAbsolute is on. Anything but a
-   * positive number is an error.
-   */
   vtkSetMacro(AbsoluteRefinementTolerance, double);
   vtkGetMacro(AbsoluteRefinementTolerance, double);
   ///@}
@@ -159,9 +146,8 @@ public:
   ///@{
   /**
    * The output has no more triangles than this; 0 is no limit. Where the tolerance needs more, the
-   * surface is refined to a larger tolerance for which there is room, and a warning says what was
-   * met. A surface that has more triangles already is not refined, with a warning. Default:
-   * 50,000,000. A negative number is an error.
+   * surface is refined to a larger tolerance, with a warning. Default: 50,000,000. A negative
+   * number is an error.
    */
   vtkSetMacro(MaximumNumberOfCells, vtkIdType);
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);
@@ -170,10 +156,8 @@ public:
   ///@{
   /**
    * The precision of the points of output port 0: SINGLE_PRECISION, DOUBLE_PRECISION, or
-   * DEFAULT_PRECISION, the default: double where refinement has added points (to the block; if
-   * ranks share a surface, to any block), otherwise the input's points. The bound of
-   * GetInterpolationErrorBound() is for the stored points. Output port 1 is always in double
-   * precision.
+   * DEFAULT_PRECISION, the default: double where refinement has added points, otherwise the input's
+   * points. Output port 1 is always in double precision.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -183,8 +167,7 @@ public:
   /**
    * Whether triangles are also split where the nearest part of the source changes (and, if
    * GenerateSignedDistance is on, the nearest side of a curve), until their edges are no longer
-   * than the refinement tolerance: borders of SourceId are crisp then. Needs RefineMesh; takes one
-   * more solve. Triangles over the tolerance are split before those at borders. Off by default.
+   * than the refinement tolerance. Needs RefineMesh; takes one more solve. Off by default.
    */
   vtkSetMacro(RefineSourceBorders, bool);
   vtkGetMacro(RefineSourceBorders, bool);
@@ -215,21 +198,15 @@ public:
   ///@{
   /**
    * The distance, arc length, angle and texture coordinates of points that are not reached:
-   * +infinity (the default), NaN, or CustomUnreachedValue, for filters and files that need finite
-   * numbers. No path reaches points in barriers, beyond MaximumDistance, and of other components.
+   * +infinity (the default), NaN, or CustomUnreachedValue, any number (default: -1), for filters
+   * and files that need finite numbers. No path reaches points in barriers, beyond MaximumDistance,
+   * and of other components.
    */
   vtkSetClampMacro(UnreachedValue, int, UNREACHED_INFINITY, UNREACHED_CUSTOM);
   vtkGetMacro(UnreachedValue, int);
   void SetUnreachedValueToInfinity() { this->SetUnreachedValue(UNREACHED_INFINITY); }
   void SetUnreachedValueToNaN() { this->SetUnreachedValue(UNREACHED_NAN); }
   void SetUnreachedValueToCustom() { this->SetUnreachedValue(UNREACHED_CUSTOM); }
-  ///@}
-
-  ///@{
-  /**
-   * The distance of points that are not reached where UnreachedValue is UNREACHED_CUSTOM. Any
-   * number; default: -1, which no reached point has.
-   */
   vtkSetMacro(CustomUnreachedValue, double);
   vtkGetMacro(CustomUnreachedValue, double);
   ///@}
@@ -257,8 +234,8 @@ public:
   /**
    * Whether the output has the point array SourceId (vtkIdType): the nearest part of the source,
    * as the number of a cell on port 1 (over all blocks in their order), or of a point if a block
-   * has no cells or vertex cells only; loops of the boundary follow. -1 where a point is not
-   * reached. Off by default.
+   * is a set of points; loops of the boundary follow. -1 where a point is not reached. Off by
+   * default.
    *
    * This and the arrays that follow never change the distance. In approximate mode all but
    * DistanceGradient take the time of the exact field, too.
@@ -319,8 +296,7 @@ public:
    * shortest path leaves ClosestSourcePoint (normals towards the viewer): around a point
    * counterclockwise from the first axis of its frame, from a curve from its direction, positive on
    * its left. 0 on the source, UnreachedValue where a point is not reached. Off by default. The
-   * field data array SourceFrame has three unit vectors for each part of the source: the direction
-   * of angle 0, the one of pi / 2, and the normal.
+   * field data array SourceFrame has the frames.
    */
   vtkSetMacro(GenerateSourceAngle, bool);
   vtkGetMacro(GenerateSourceAngle, bool);
@@ -361,39 +337,29 @@ public:
   vtkBooleanMacro(TextureRepeats, bool);
   ///@}
 
-  ///@{
   /**
    * After an execution: the number of windows that the propagation handled, divided by the number
-   * of mesh edges. It tells how hard the surface was.
+   * of mesh edges.
    */
   vtkGetMacro(WindowsPropagatedPerEdge, double);
-  ///@}
 
-  ///@{
   /**
-   * After an execution: the length on the surface of all curves (and loops of the boundary) of the
-   * source together; 0 for points.
+   * After an execution: the length on the surface of all curves of the source; 0 for points.
    */
   vtkGetMacro(SourceLength, double);
-  ///@}
 
-  ///@{
   /**
    * After an execution: the farthest that any point of the source was from where it was put on the
-   * surface. It tells whether the source belongs to this surface.
+   * surface.
    */
   vtkGetMacro(SourceSnapDistance, double);
-  ///@}
 
-  ///@{
   /**
    * After an execution: what is certified about the relative error of the computed distance, at
    * most RelativeError. It is 0 where the distance is exact.
    */
   vtkGetMacro(RelativeErrorBound, double);
-  ///@}
 
-  ///@{
   /**
    * After an execution with RefineMesh: the certified difference between the linear interpolant of
    * the output and the computed distance, anywhere on triangles that are reached and have a point
@@ -401,16 +367,12 @@ public:
    * why not. Infinite if the surface was not refined.
    */
   vtkGetMacro(InterpolationErrorBound, double);
-  ///@}
 
-  ///@{
   /**
    * After an execution: how many points on the boundary of the surface, its blocks or the pieces of
-   * several ranks were made one with another from which they differ, by a few roundings or within
-   * MergeTolerance. Points that coincide do not count.
+   * several ranks were joined with others although their coordinates differ.
    */
   vtkGetMacro(SeamPointsJoined, vtkIdType);
-  ///@}
 
   ///@{
   /**

@@ -4,6 +4,7 @@
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Inputs.h"
 #include "PolyData/Memory.h"
+#include "PolyData/reading/PolyDataSurface.h"
 #include "field/DistanceMatrix.h"
 
 #include "vtkCharArray.h"
@@ -17,6 +18,8 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <string>
@@ -62,6 +65,14 @@ private:
   std::set<std::string> given_ = { TargetIdColumn, TargetNameColumn, TargetPositionColumn };
 };
 
+/// The targets if an array makes sets of them, else null.
+const Sources* TargetSetsOf(const Inputs& inputs)
+{
+  return inputs.areTargetsSources ? &inputs.sources
+    : inputs.targetSets           ? &*inputs.targetSets
+                                  : nullptr;
+}
+
 /// Adds the names of targets that have some.
 void AddTargetNames(const Inputs& inputs, vtkTable* table)
 {
@@ -70,14 +81,25 @@ void AddTargetNames(const Inputs& inputs, vtkTable* table)
   column->SetNumberOfValues(static_cast<vtkIdType>(inputs.targets.count));
   vtkIdType row = 0;
   bool hasNames = false;
-  for (const PolyDataBlock& block : inputs.targetBlocks.blocks)
+  const auto addNames = [&](const std::vector<std::string>& names)
   {
-    hasNames = hasNames || !block.pointNames.empty();
-    for (std::size_t i = 0; i < block.pointNames.size(); ++i)
+    hasNames = hasNames || !names.empty();
+    for (std::size_t i = 0; i < names.size(); ++i)
     {
-      column->SetValue(row + static_cast<vtkIdType>(i), block.pointNames[i]);
+      column->SetValue(row + static_cast<vtkIdType>(i), names[i]);
     }
-    row += block.data->GetNumberOfPoints();
+  };
+  if (const Sources* sets = TargetSetsOf(inputs))
+  {
+    addNames(sets->names);
+  }
+  else
+  {
+    for (const PolyDataBlock& block : inputs.targetBlocks.blocks)
+    {
+      addNames(block.pointNames);
+      row += block.data->GetNumberOfPoints();
+    }
   }
   if (hasNames)
   {
@@ -85,19 +107,33 @@ void AddTargetNames(const Inputs& inputs, vtkTable* table)
   }
 }
 
-/// Adds where targets are.
+/// Adds where targets are; of a set the first point on the surface, NaN where there is none.
 void AddTargetPositions(const Inputs& inputs, vtkTable* table)
 {
+  const auto rows = static_cast<vtkIdType>(inputs.targets.count);
+  requireMemory(rows, 3 * static_cast<vtkIdType>(sizeof(double)));
   vtkNew<vtkDoubleArray> column;
   column->SetName(TargetPositionColumn);
   column->SetNumberOfComponents(3);
-  requireMemory(
-    static_cast<vtkIdType>(inputs.targets.count), 3 * static_cast<vtkIdType>(sizeof(double)));
+  column->SetNumberOfTuples(rows);
+  column->Fill(std::numeric_limits<double>::quiet_NaN());
+  if (const Sources* sets = TargetSetsOf(inputs))
+  {
+    const PolyDataSurface& surface = *inputs.surface;
+    for (auto curve = sets->curves.rbegin(); curve != sets->curves.rend(); ++curve)
+    {
+      const Vec3 place = position(surface.mesh(), curve->points.front());
+      column->SetTuple(static_cast<vtkIdType>(curve->source), surface.scale.toUser(place).data());
+    }
+    table->AddColumn(column);
+    return;
+  }
+  vtkIdType row = 0;
   for (const PolyDataBlock& block : inputs.targetBlocks.blocks)
   {
     for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
     {
-      column->InsertNextTuple(block.data->GetPoint(i));
+      column->SetTuple(row++, block.data->GetPoint(i));
     }
   }
   table->AddColumn(column);
@@ -121,13 +157,33 @@ void AddSource(const std::string& name, std::vector<double> distances, const Tar
   table->AddColumn(column);
 }
 
+/// \param maximumDistance in the engine's units.
+/// \returns for each source the distances of the targets.
+std::vector<std::vector<double>> Solve(const Inputs& inputs, double maximumDistance, const Job& job)
+{
+  const TriangleMesh& mesh = inputs.surface->mesh();
+  const Sources& sources = inputs.sources;
+  const std::size_t count = sources.ids.size();
+  if (inputs.areTargetsSources)
+  {
+    return distancesBetween(mesh, setsOf(sources.curves, count), maximumDistance, job);
+  }
+  if (const Sources* sets = TargetSetsOf(inputs))
+  {
+    return distanceMatrix(mesh, setsOf(sources.curves, count),
+      setsOf(sets->curves, sets->ids.size()), maximumDistance, job);
+  }
+  return distanceMatrix(
+    mesh, sources.curves, static_cast<Id>(count), inputs.targets.places, maximumDistance, job);
+}
+
 /// \param maximumDistance in the units of the surface; 0: no limit.
 void ComputeTable(const Inputs& inputs, double maximumDistance, bool hasPositions,
   FilterExecution& execution, vtkTable* table)
 {
-  const Targets& targets = inputs.targets;
-  const auto rows = static_cast<vtkIdType>(targets.count);
-  const auto numberOfSources = static_cast<Id>(inputs.sources.ids.size());
+  const Sources* sets = TargetSetsOf(inputs);
+  const auto rows = static_cast<vtkIdType>(inputs.targets.count);
+  const auto numberOfSources = static_cast<vtkIdType>(inputs.sources.ids.size());
 
   const Job job = execution.begin(Stage::SolveForTargets);
   // Once as they are computed, once as they are put out.
@@ -136,12 +192,15 @@ void ComputeTable(const Inputs& inputs, double maximumDistance, bool hasPosition
       2 * static_cast<vtkIdType>(sizeof(double)) * numberOfSources);
   const PowerOfTwoScale& scale = inputs.surface->scale;
   std::vector<std::vector<double>> matrix =
-    distanceMatrix(inputs.surface->mesh(), inputs.sources.curves, numberOfSources, targets.places,
-      maximumDistance > 0.0 ? scale.toEngine(maximumDistance) : Infinity, job);
+    Solve(inputs, maximumDistance > 0.0 ? scale.toEngine(maximumDistance) : Infinity, job);
 
   execution.begin(Stage::Write);
   const auto ids = makeArray<vtkIdTypeArray>(TargetIdColumn, rows);
   std::iota(ids->GetPointer(0), ids->GetPointer(rows), 0);
+  if (sets)
+  {
+    std::copy(sets->ids.begin(), sets->ids.end(), ids->GetPointer(0));
+  }
   table->AddColumn(ids);
   AddTargetNames(inputs, table);
   if (hasPositions)
@@ -151,7 +210,7 @@ void ComputeTable(const Inputs& inputs, double maximumDistance, bool hasPosition
   ColumnNames names(inputs.sources);
   for (std::vector<double>& column : matrix)
   {
-    AddSource(names.next(), std::move(column), targets, scale, table);
+    AddSource(names.next(), std::move(column), inputs.targets, scale, table);
   }
 }
 
@@ -185,6 +244,7 @@ vtkGeodesicDistanceMatrix::~vtkGeodesicDistanceMatrix()
 {
   this->SetSourceNameArrayName(nullptr);
   this->SetTargetNameArrayName(nullptr);
+  this->SetTargetIdArrayName(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -227,6 +287,7 @@ ExecutionPlan vtkGeodesicDistanceMatrix::Plan() const
   plan.supportsPieces = false;
   plan.sourceNameArray = this->SourceNameArrayName;
   plan.targetNameArray = this->TargetNameArrayName;
+  plan.targetIdArray = this->TargetIdArrayName;
   return plan;
 }
 
@@ -251,6 +312,9 @@ void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
      << (this->SourceNameArrayName ? this->SourceNameArrayName : "(none)") << "\n";
   os << indent << "TargetNameArrayName: "
      << (this->TargetNameArrayName ? this->TargetNameArrayName : "(none)") << "\n";
+  os << indent
+     << "TargetIdArrayName: " << (this->TargetIdArrayName ? this->TargetIdArrayName : "(none)")
+     << "\n";
   os << indent << "GenerateTargetPositions: " << (this->GenerateTargetPositions ? "On" : "Off")
      << "\n";
 }

@@ -17,7 +17,9 @@
  * If every source is a point or a set of points and there are fewer targets than sources, a front
  * goes out from each target instead, until all sources are settled: 3 targets of 500 sources take 3
  * solves. This is not done where straight distances tell that these fronts go farther in all (where
- * many sources are near the targets, and one is far away).
+ * many sources are near the targets, and one is far away). Sets of targets (TargetIdArrayName) are
+ * solved instead whatever the sources are. If they are the sources themselves, the table is
+ * symmetric, and one of each two is solved.
  *
  * @par Input:
  * Port 0 takes the surface: see vtkGeodesicAlgorithm, also for composite data, pieces and errors.
@@ -27,12 +29,13 @@
  * SourceType the boundary of the surface takes their place or comes in addition, each of its loops
  * as a source of its own. Port 2, optional, takes the targets: every point of a vtkPointSet, put
  * onto the closest point of the surface, with a warning where that is far. Where it is not
- * connected the targets are all points of port 1.
+ * connected the targets are all points of port 1. With TargetIdArrayName targets are sets of
+ * points, lines and regions.
  *
  * @par Output:
  * A vtkTable with one row a target, in their order, and the columns
- * - `TargetId` (vtkIdType): the target, by its point id on its port; with a composite data set ids
- *   go on from block to block,
+ * - `TargetId` (vtkIdType): the target, by its point id on its port (with a composite data set ids
+ *   go on from block to block), or by its value of TargetIdArrayName,
  * - `TargetName` (vtkStringArray): what the target is called, with TargetNameArrayName only,
  * - `TargetPosition` (vtkDoubleArray of 3 components), with GenerateTargetPositions only,
  * - `Source0`, `Source1`, ... (double): the distance from each source, by the ids of the cells (of
@@ -110,9 +113,28 @@ public:
 
   ///@{
   /**
+   * Name of an array of whole numbers of the targets (where port 2 is not connected, of the source)
+   * that makes sets of them: all that has one value is one target, with one row, whose `TargetId`
+   * is the value; rows ascend. Negative values stand for no target. It is an array of the points of
+   * a set of points, and of the cells of any other data set, or else of its points. The distance of
+   * a target is the least over its points, along its lines, and along the outline of its faces,
+   * which are a region (as those of a source are), also between vertices; it is 0 where the source
+   * has a point in the region. Empty (null), the default, and "None" stand for no such array: each
+   * point is a target.
+   *
+   * If port 2 is not connected and SourceIdArrayName is the same array, the table is that of all
+   * regions from one another.
+   */
+  vtkSetStringMacro(TargetIdArrayName);
+  vtkGetStringMacro(TargetIdArrayName);
+  ///@}
+
+  ///@{
+  /**
    * Name of an array of strings or integers at the points of the targets (where port 2 is not
-   * connected, of the source) that says what they are called: the column `TargetName`. Empty
-   * (null), the default, and "None" stand for no such array.
+   * connected, of the source) that says what they are called: the column `TargetName`. With
+   * TargetIdArrayName it is an array of what that one is of, and a target goes by the first name in
+   * it. Empty (null), the default, and "None" stand for no such array.
    */
   vtkSetStringMacro(TargetNameArrayName);
   vtkGetStringMacro(TargetNameArrayName);
@@ -121,7 +143,7 @@ public:
   ///@{
   /**
    * Whether the table has the column `TargetPosition` (3 doubles): where each target is in its own
-   * data set. Off by default.
+   * data set; with TargetIdArrayName a point of it on the surface. Off by default.
    */
   vtkSetMacro(GenerateTargetPositions, bool);
   vtkGetMacro(GenerateTargetPositions, bool);
@@ -152,6 +174,7 @@ private:
   bool GenerateTargetPositions = false;
   char* SourceNameArrayName = nullptr;
   char* TargetNameArrayName = nullptr;
+  char* TargetIdArrayName = nullptr;
 };
 
 #endif

@@ -11,10 +11,8 @@
  * @par Algorithm:
  * One front goes from the source (see vtkGeodesicDistanceField), until all targets are settled: a
  * target nearby costs a small part of the whole surface. Each vertex remembers the direction in
- * which its shortest path came, and windows are kept around the targets only. A path is then
- * followed backwards, straight through face after face to the pseudo-source or the source that its
- * rays left. Where a path runs so close to vertices that rounding would decide about its way, it is
- * found again through the windows of the few faces around it.
+ * which its shortest path came. A path is then followed backwards, straight through face after face
+ * to the pseudo-source or the source that its rays left.
  *
  * @par Input:
  * Port 0 takes the surface, port 1, optional, the source: see vtkGeodesicAlgorithm, also for
@@ -34,20 +32,16 @@
  *   vtkGeodesicDistanceField::SetGenerateSourceIds() counts them; one of several that hold the end,
  * - cell data array `GeodesicDistance`: the length of the path,
  * - cell data array `TargetSnapDistance`: how far the target was from the surface,
- * - if they are asked for, cell data arrays `SourceArcLength` and `SourceAngle`: how far along its
- *   part of the source the path ends, and in which direction it leaves there: see
- *   SetGenerateSourceArcLength(),
  * - point data array `GeodesicDistance`: what is left of the path from the point on; 0 at its end,
- * - if it is asked for, point data array `FaceId` (vtkIdType): the cell of the surface in which the
- *   path goes on: see SetGenerateFaceIds().
+ * - if they are asked for, the arrays of SetGenerateSourceArcLength(), SetGenerateSourceAngle() and
+ *   SetGenerateFaceIds().
  * @par
  * Targets that no path joins to the source, such as those in a barrier (BarrierArrayName), have no
  * line; one warning counts them.
  *
  * @par Execution:
- * Each path is the same whatever other targets there are. On several ranks a path, which may run
- * over all pieces of the surface, is put out by the rank where its target was, by rank 0 where all
- * had the same targets, whether the surface is in pieces, on one rank or on every rank.
+ * Each path is the same whatever other targets there are. On several ranks a path is put out by the
+ * rank where its target was, by rank 0 where all had the same targets.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal

@@ -32,6 +32,15 @@ const QMap<QString, QString>& purposes()
 constexpr const char* NoBox =
   "QLineEdit { border: none; background: palette(window); min-width: 7em }";
 
+/// As ParaView makes it, a list of data sets is as wide as the longest name, and the panel with it.
+constexpr int NarrowList = 80;
+constexpr const char* WholeNames = "QAbstractItemView { min-width: 24em }";
+
+bool isInput(const QString& property)
+{
+  return property == "Source" || property == "Targets";
+}
+
 bool isResult(const QString& property)
 {
   static const QStringList results{ "FarthestPoint", "InterpolationErrorBound", "LargestDistance",
@@ -63,6 +72,12 @@ void improvePanel(QObject* watched, const QEvent& event)
     {
       watched->setProperty("text", watched->property("text").toString() + "\n" + purpose);
     }
+  }
+  else if (event.type() == QEvent::Polish && watched->inherits("QComboBox") && watched->parent() &&
+    isInput(watched->parent()->objectName()))
+  {
+    watched->setProperty("minimumWidth", NarrowList);
+    watched->setProperty("styleSheet", WholeNames);
   }
   else if (event.type() == QEvent::EnabledChange && watched->inherits("pqPropertyWidget") &&
     isResult(watched->objectName()) && !watched->property("enabled").toBool())

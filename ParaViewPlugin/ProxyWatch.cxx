@@ -27,6 +27,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <cstring>
 #include <set>
 #include <string>
 #include <utility>
@@ -217,6 +218,18 @@ private:
   bool HadStripes = false;
 };
 
+/// Looks after what is shown: a color map that it begins to use may be an old one.
+class DisplayWatch : public vtkCommand
+{
+public:
+  static DisplayWatch* New() { return new DisplayWatch; }
+
+  /// When a property of the representation is set.
+  void Execute(vtkObject* caller, unsigned long, void* property) override;
+
+  const RegistrationWatch* Filters = nullptr;
+};
+
 /// Sees what proxies are registered.
 class RegistrationWatch : public vtkCommand
 {
@@ -256,6 +269,9 @@ public:
       {
         lines::show(shown);
       }
+      vtkNew<DisplayWatch> watch;
+      watch->Filters = this;
+      shown->AddObserver(vtkCommand::PropertyModifiedEvent, watch);
       if (hasPanel())
       {
         this->LookAfter(filter, shown, input.GetOutputPort());
@@ -304,6 +320,28 @@ public:
           filter ? vtkSMPropertyHelper(filter, "DistanceArrayName", true).GetAsString() : nullptr;
         return name && (array == name || array == SignedArray) && lines::hasUnreached(filter);
       });
+  }
+
+  /// Whether a filter has not reached points, whatever their distance is.
+  bool HaveUnreached() const
+  {
+    return std::any_of(this->Filters.begin(), this->Filters.end(),
+      [](vtkSMSourceProxy* filter) {
+        return filter && vtkSMPropertyHelper(filter, "HasUnreachedPoints", true).GetAsInt() != 0;
+      });
+  }
+
+  /// A color map shows the ids that occur, and gray if something is not reached.
+  void Fit(vtkSMProxy* table, const std::string& array) const
+  {
+    if (array == SourceIds && this->HasFilters())
+    {
+      stripes::showIds(table, this->HaveUnreached());
+    }
+    else if (stripes::areIn(table) && this->HasStripes(array))
+    {
+      stripes::setUnreached(table, this->HasUnreached(array));
+    }
   }
 
   /// Whether an array is a distance of filters of this plugin, none of which has its stripes off.
@@ -427,13 +465,9 @@ void FilterWatch::FitTables(vtkSMSourceProxy* filter) const
 {
   for (const auto& [table, array] : tablesOf(filter))
   {
-    if (array == SourceIds)
+    this->Filters->Fit(table, array);
+    if (stripes::areIn(table) && this->Filters->HasStripes(array))
     {
-      stripes::showIds(table);
-    }
-    else if (stripes::areIn(table) && this->Filters->HasStripes(array))
-    {
-      stripes::setUnreached(table, this->Filters->HasUnreached(array));
       const int mode = vtkSMPropertyHelper(table, "AutomaticRescaleRangeMode").GetAsInt();
       if (mode == vtkSMTransferFunctionManager::GROW_ON_APPLY)
       {
@@ -443,12 +477,26 @@ void FilterWatch::FitTables(vtkSMSourceProxy* filter) const
   }
 }
 
+void DisplayWatch::Execute(vtkObject* caller, unsigned long, void* property)
+{
+  auto* shown = static_cast<vtkSMPVRepresentationProxy*>(caller);
+  vtkSMProxy* table = property && std::strcmp(static_cast<char*>(property), "LookupTable") == 0
+    ? vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy()
+    : nullptr;
+  const char* array =
+    table ? vtkSMPropertyHelper(shown, "ColorArrayName").GetInputArrayNameToProcess() : nullptr;
+  if (array)
+  {
+    this->Filters->Fit(table, array);
+  }
+}
+
 void TableWatch::Execute(vtkObject* caller, unsigned long, void*)
 {
   auto* table = static_cast<vtkSMProxy*>(caller);
   if (this->Array == SourceIds && this->Filters->HasFilters())
   {
-    stripes::showIds(table);
+    stripes::showIds(table, this->Filters->HaveUnreached());
   }
   const bool hasStripes = stripes::areIn(table) && this->Filters->HasStripes(this->Array);
   if (hasStripes)

@@ -32,6 +32,9 @@ using Color = std::array<double, 3>;
 const Color Near{ 0.98, 0.84, 0.42 }, Middle{ 0.87, 0.36, 0.38 }, Far{ 0.22, 0.26, 0.58 };
 const Color White{ 0.97, 0.96, 0.94 }, Red{ 0.86, 0.36, 0.30 }, Blue{ 0.25, 0.42, 0.70 };
 const Color Black{ 0.0, 0.0, 0.0 };
+/// The id of points that are not reached.
+constexpr int NoSource = -1;
+
 /// Of points that are not reached.
 const Color Gray{ 0.75, 0.75, 0.75 };
 
@@ -348,7 +351,7 @@ void setTicks(vtkSMProxy* table)
   }
 }
 
-void showIds(vtkSMProxy* table)
+void showIds(vtkSMProxy* table, bool isUnreached)
 {
   const bool isNew = vtkSMPropertyHelper(table, "AnnotationsInitialized", true).GetAsInt() == 0;
   if (!isNew && vtkSMPropertyHelper(table, "IndexedLookup").GetAsInt() == 0)
@@ -358,7 +361,12 @@ void showIds(vtkSMProxy* table)
   std::vector<std::string> words;
   std::vector<double> colors;
   std::size_t next = 0;
-  for (const int id : idsShownBy(table))
+  std::set<int> ids = idsShownBy(table);
+  if (!isUnreached)
+  {
+    ids.erase(NoSource); // points that no face uses have it, too
+  }
+  for (const int id : ids)
   {
     words.push_back(std::to_string(id));
     words.push_back(id < 0 ? "not reached" : words.back());

@@ -36,8 +36,9 @@ void setTicks(vtkSMProxy* table);
 void resetTicks(vtkSMProxy* table);
 
 /// The ids of sources have one color each, with the id beside it in the scalar bar, unless there
-/// are too many to be told apart, or the user has chosen other colors.
-void showIds(vtkSMProxy* table);
+/// are too many to be told apart, or the user has chosen other colors. If nothing is unreached
+/// there is no word for that.
+void showIds(vtkSMProxy* table, bool isUnreached);
 
 /// The smallest number 1, 2 or 5 times a power of ten that fits into a length at most that often;
 /// the length itself where it is not positive and finite.

@@ -238,7 +238,7 @@ def legend(display, title, ends, at=(0.03, 0.05), length=0.3):
 def axes(display, title, x_labels, y_labels):
     """Shows numbers at the left and the lower side of what lies in the plane of x and y, and a title below."""
     grid = display.DataAxesGrid
-    grid.GridAxesVisibility, grid.ShowGrid, grid.ShowEdges = 1, 0, 0
+    grid.GridAxesVisibility, grid.ShowGrid, grid.ShowEdges, grid.ShowTicks = 1, 0, 0, 0
     grid.XTitle, grid.YTitle, grid.ZTitle = title, "", ""
     grid.FacesToRender, grid.AxesToLabel = 4, 3
     for axis in "XY":

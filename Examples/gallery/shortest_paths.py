@@ -22,6 +22,6 @@ look.smooth(shown)
 shown = Show(paths, view)
 look.colored_lines(shown, largest=250, colors=look.shades(7)[2:])
 look.legend(shown, "Length of the path (mm)", [0, 250])
-look.balls(look.points_of(targets), 1.5, color=look.DARK)
+look.nearer(look.balls(look.points_of(targets), 1.5, color=look.DARK), view)  # as near as the lines that end there
 look.nearer(look.balls([start.Center], 4, color=look.DARK), view, by=0.1)
 look.save(view, globals(), colors=48)

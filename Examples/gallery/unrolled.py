@@ -11,7 +11,7 @@ from paraview.simple import *
 
 # A sheet around a bent axis. Its sides meet behind, but stay apart: there the vessel is cut open.
 sheet = Plane(Origin=(0, -pi, 0), Point1=(7, -pi, 0), Point2=(0, pi, 0), XResolution=210, YResolution=90)
-BULGES = ((1.9, 0.7, 0.26), (4.3, -0.9, 0.22), (5.6, 0.9, 0.16))
+BULGES = ((1.9, 0.7, 0.26), (4.3, -0.9, 0.22), (5.6, 0.9, 0.17))
 radius = "0.42 + " + " + ".join(f"{height}*exp(-3*(coordsX - {x})^2 - 0.8*(coordsY - {turn})^2)"
                                 for x, turn, height in BULGES)
 walls = Calculator(Input=sheet, ResultArrayName="Radius", Function=radius)

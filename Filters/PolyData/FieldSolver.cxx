@@ -3,6 +3,7 @@
 
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Inputs.h"
+#include "PolyData/writing/UnmeshedTriangles.h"
 #include "field/DistanceField.h"
 #include "field/NearestSource.h"
 #include "refinement/AdaptiveRefinement.h"
@@ -78,7 +79,7 @@ struct FieldSolver
       solved.field.emplace(solveForRefinement(this->surface.partition,
         this->inputs.sourceWindows(options.job), this->request.tolerance, options, pinned));
       this->refine(solved);
-    } while (pinMissing(this->surface.partition, solved.refined.mesh.unknownAtBorders, pinned));
+    } while (pinMissing(this->surface.partition, solved.refined.unknownAtBorders, pinned));
     return solved;
   }
 
@@ -107,13 +108,13 @@ struct FieldSolver
   }
 
   /// The faces that have points of refinement.
-  std::vector<std::uint8_t> facesOf(const RefinedSurface& refined) const
+  std::vector<std::uint8_t> facesOf(const RefinedMesh& refined) const
   {
     const TriangleMesh& mesh = this->surface.mesh();
     std::vector<std::uint8_t> faces(mesh.numberOfFaces(), 0);
     for (std::size_t i = 0; i < refined.numberOfPointsWithPlaces(); ++i)
     {
-      forEachFace(mesh, refined.mesh.points[i].place, [&](Id face) { faces[face] = 1; });
+      forEachFace(mesh, refined.points[i].place, [&](Id face) { faces[face] = 1; });
     }
     return faces;
   }

@@ -3,8 +3,8 @@
 #define geodesic_FieldSolver_h
 
 #include "PolyData/writing/SourceArrays.h"
-#include "PolyData/writing/RefinedSurface.h"
 #include "field/DistanceField.h"
+#include "refinement/RefinedMesh.h"
 
 #include <cstdint>
 #include <optional>
@@ -39,7 +39,8 @@ struct SolvedSurface
   /// If the field is approximate, the exact one, where paths have to be followed: merged windows
   /// cannot tell where a path ends.
   std::optional<DistanceField> exact;
-  RefinedSurface refined;
+  /// With all triangles of the surface (addUnmeshedTriangles()).
+  RefinedMesh refined;
 
   const DistanceField& exactField() const { return this->exact ? *this->exact : *this->field; }
 };

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <numeric>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -106,7 +107,7 @@ struct InputReader
       arrays.sourceIds = this->request.sourceIdArray;
       arrays.sourceNames = this->plan.sourceNameArray;
     }
-    if (!this->request.targets)
+    if (!this->request.targets && !isChosen(this->plan.targetIdArray))
     {
       arrays.targetNames = this->plan.targetNameArray;
     }
@@ -114,11 +115,37 @@ struct InputReader
     return gatherBlocks(sourceBlocks(this->request.source, name, arrays), name, this->exchange);
   }
 
+  PartName nameOfTargets() const
+  {
+    return PartName(
+      this->request.targets ? TargetsName : "the set of targets (points of input port 1)");
+  }
+
   GatheredBlocks gatherTargets() const
   {
-    const PartName name(TargetsName);
+    const PartName name = this->nameOfTargets();
+    if (isChosen(this->plan.targetIdArray))
+    {
+      PartArrays arrays;
+      arrays.sourceIds = this->plan.targetIdArray;
+      arrays.sourceNames = this->plan.targetNameArray;
+      arrays.areTargets = true;
+      vtkDataObject* data = this->request.targets ? this->request.targets : this->request.source;
+      return gatherBlocks(sourceBlocks(data, name, arrays), name, this->exchange);
+    }
     return gatherBlocks(
       targetBlocks(this->request.targets, name, this->plan.targetNameArray), name, this->exchange);
+  }
+
+  /// Whether sets of targets are the sources, of the same data by the same arrays.
+  bool areTargetsSources() const
+  {
+    const auto areSame = [](const char* a, const char* b)
+    { return isChosen(a) ? isChosen(b) && std::string(a) == b : !isChosen(b); };
+    return isChosen(this->plan.targetIdArray) && !this->request.targets &&
+      this->request.fromCurves && !this->request.fromBoundary &&
+      areSame(this->request.sourceIdArray, this->plan.targetIdArray) &&
+      areSame(this->plan.sourceNameArray, this->plan.targetNameArray);
   }
 
   /// Reads the surface into the cache.
@@ -203,22 +230,19 @@ struct InputReader
     // With several ranks the next patch numbers its faces in another way.
     const JoinedPaths none;
     JoinedPaths paths;
-    SourceCurves curves = putOntoSurface(mesh, source.polylines, precision,
+    SourceCurves curves = curvesOn(mesh, source, precision,
       paths.joinBy(join, isDistributed ? none : this->cache.joinedPaths()),
       joining.part(patchMade, 1.0));
     if (!isDistributed)
     {
       this->cache.joinedPaths() = std::move(paths);
     }
-    coverFaces(findCoveredFaces(mesh, source.faces, precision, false, joining.part(1.0, 1.0)),
-      curves.curves);
     noteSource(surface, mesh, source, curves, this->plan.noteSourceBeyond, this->notes);
     if (this->plan.needsSides)
     {
       noteSides(mesh, source, curves, this->notes);
     }
-    std::vector<SourceCurve> borders = bordersWithoutCurves(mesh, curves.curves);
-    std::move(borders.begin(), borders.end(), std::back_inserter(curves.curves));
+    addBorders(mesh, curves.curves);
     const bool areNamed = std::any_of(blocks.begin(), blocks.end(),
       [](const PolyDataBlock& block) { return !block.sourceIds.empty(); });
     const auto count = static_cast<Id>(source.ids.size());
@@ -236,6 +260,22 @@ struct InputReader
     {
       faces.addFacesAround(covered.face);
     }
+  }
+
+  /// Puts polylines onto the surface, with the faces that their regions cover.
+  static SourceCurves curvesOn(const TriangleMesh& mesh, const SourcePolylines& source,
+    double precision, const JoinPoints& join, const Job& job)
+  {
+    SourceCurves curves = putOntoSurface(mesh, source.polylines, precision, join, job);
+    coverFaces(
+      findCoveredFaces(mesh, source.faces, precision, false, job.part(1.0, 1.0)), curves.curves);
+    return curves;
+  }
+
+  static void addBorders(const TriangleMesh& mesh, std::vector<SourceCurve>& curves)
+  {
+    std::vector<SourceCurve> borders = bordersWithoutCurves(mesh, curves);
+    std::move(borders.begin(), borders.end(), std::back_inserter(curves));
   }
 
   /// Gives faces to the first curve of their source, which has one.
@@ -292,9 +332,8 @@ struct InputReader
   {
     const Job job = this->execution.begin(Stage::ReadTargets);
     const PolyDataSurface& surface = this->cache.surface();
-    const PartName name(
-      this->request.targets ? TargetsName : "the set of targets (points of input port 1)");
-    Targets targets = geodesic::readTargets(blocks, name, surface, this->cache.locator(), job);
+    Targets targets =
+      geodesic::readTargets(blocks, this->nameOfTargets(), surface, this->cache.locator(), job);
     // If the targets are the points of a source that is far away, the note on the source says so.
     if (this->request.targets || !this->notes.has(NoteOn::Source, FarNote))
     {
@@ -302,6 +341,28 @@ struct InputReader
         this->request.targets ? NoteOn::Targets : NoteOn::Source, this->notes);
     }
     return targets;
+  }
+
+  /// \param patch the whole surface.
+  Sources readTargetSets(const std::vector<PolyDataBlock>& surfaceBlocks,
+    const std::vector<PolyDataBlock>& blocks, const ReplicatedPatch& patch) const
+  {
+    const Job job = this->execution.begin(Stage::ReadTargets);
+    const PolyDataSurface& surface = this->cache.surface();
+    SourcePolylines read = geodesic::readTargetSets(blocks, this->nameOfTargets(), surface);
+    const double precision = coordinatePrecisionOf(blocks);
+    LocatedPlaces located =
+      this->cache.locator().locate(read.polylines, precision, job.part(0.0, 0.8));
+    leaveOutPointsInBarriers(surface, located, precision, read);
+    requireOutsideBarriers(surface, surfaceBlocks, read.polylines, located, precision);
+    this->cache.locator().keepOnOneSide(read.polylines, precision, located, job.part(0.8, 0.9));
+    located.setFaces(patch, read.polylines);
+    SourceCurves curves = curvesOn(
+      patch.mesh(), read, precision, joinByShortestPaths(patch.mesh()), job.part(0.9, 1.0));
+    addBorders(patch.mesh(), curves.curves);
+    const NoteOn input = this->request.targets ? NoteOn::Targets : NoteOn::Source;
+    noteTargetSets(surface, patch.mesh(), read, input, this->notes);
+    return { std::move(curves), std::move(read.ids), true, 0, std::move(read.names) };
   }
 };
 
@@ -337,7 +398,10 @@ Inputs readInputs(const InputRequest& request, const ExecutionPlan& plan, Surfac
   const GatheredBlocks source = reader.gatherSource();
   if (plan.targets != TargetPoints::None)
   {
-    inputs.targetBlocks = request.targets ? reader.gatherTargets() : source;
+    inputs.areTargetsSources = reader.areTargetsSources();
+    const bool isSource =
+      inputs.areTargetsSources || (!request.targets && !isChosen(plan.targetIdArray));
+    inputs.targetBlocks = isSource ? source : reader.gatherTargets();
   }
   inputs.rank = findRole(inputs.surfaceBlocks, plan.supportsPieces, reader.exchange);
   if (!inputs.rank.isWorking())
@@ -349,7 +413,19 @@ Inputs readInputs(const InputRequest& request, const ExecutionPlan& plan, Surfac
   SourcesOnPatch onPatch = reader.readSources(inputs.surfaceBlocks, source.blocks);
   inputs.patch = std::move(onPatch.patch);
   inputs.sources = std::move(onPatch.sources);
-  if (plan.targets != TargetPoints::None)
+  if (isChosen(plan.targetIdArray))
+  {
+    if (!inputs.areTargetsSources)
+    {
+      inputs.targetSets =
+        reader.readTargetSets(inputs.surfaceBlocks, inputs.targetBlocks.blocks, *inputs.patch);
+    }
+    const Sources& sets = inputs.areTargetsSources ? inputs.sources : *inputs.targetSets;
+    inputs.targets.count = sets.ids.size();
+    inputs.targets.numbers.resize(sets.ids.size());
+    std::iota(inputs.targets.numbers.begin(), inputs.targets.numbers.end(), std::size_t{ 0 });
+  }
+  else if (plan.targets != TargetPoints::None)
   {
     inputs.targets = reader.readTargets(inputs.targetBlocks.blocks);
   }

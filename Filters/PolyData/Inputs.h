@@ -78,6 +78,8 @@ struct ExecutionPlan
   /// Names of the arrays with the names of the source's parts and of the targets; see PartArrays.
   const char* sourceNameArray = nullptr;
   const char* targetNameArray = nullptr;
+  /// Name of the array that makes sets of the targets; see PartArrays.
+  const char* targetIdArray = nullptr;
   /// Whether the sides of curves are asked for: a note tells where they are ambiguous.
   bool needsSides = false;
 
@@ -137,6 +139,10 @@ struct Inputs
   std::optional<ReplicatedPatch> patch;
   Sources sources;
   Targets targets;
+  /// If an array makes sets of the targets, these, read as a source is; the targets have no places.
+  std::optional<Sources> targetSets;
+  /// Whether the sources are the sets of targets, too: then neither is read again.
+  bool areTargetsSources = false;
 
   /// What the sources give the front to begin with.
   ///

@@ -51,10 +51,13 @@ FarPoints farPointsOf(
     for (std::size_t i = 0; i < line.points.size(); ++i)
     {
       // All of its faces are equally close.
-      if (snapToFace(mesh, line.faces[i].front(), line.points[i], precision).distance <= limit)
+      const double distance =
+        snapToFace(mesh, line.faces[i].front(), line.points[i], precision).distance;
+      if (distance <= limit)
       {
         continue;
       }
+      far.largestDistance = std::max(far.largestDistance, distance);
       if (far.count++ < PointsNamed)
       {
         far.names.push_back(line.nameOfPoint(i).withoutInput());
@@ -64,47 +67,37 @@ FarPoints farPointsOf(
   return far;
 }
 
-/// "segment 3 of cell 0, segment 8 of cell 0 and 2 more".
+/// "2 segments of the source run over another: segment 3 of cell 0, segment 8 of cell 0. Leave ..."
 ///
-/// \param names of the first.
-/// \param count of all.
-std::string listed(const std::vector<std::string>& names, std::size_t count)
-{
-  std::string text;
-  for (const std::string& name : names)
-  {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return count > names.size() ? text + " and " + std::to_string(count - names.size()) + " more"
-                              : text;
-}
-
-std::string namesOf(
-  const std::vector<LocatedPolyline>& polylines, const std::vector<SegmentOfPolyline>& segments)
+/// \param one, many what one segment does, or several.
+void noteSegments(const char* cause, const SourcePolylines& source,
+  const std::vector<SegmentOfPolyline>& segments, const std::string& one, const std::string& many,
+  const std::string& advice, Notes& notes)
 {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < std::min(segments.size(), PointsNamed); ++i)
   {
-    names.push_back(polylines[segments[i].polyline].nameOfSegment(segments[i].segment));
+    names.push_back(source.polylines[segments[i].polyline].nameOfSegment(segments[i].segment));
   }
-  return listed(names, segments.size());
+  const std::string text =
+    (segments.size() == 1 ? " segment of the source " + one : " segments of the source " + many);
+  if (!segments.empty())
+  {
+    notes.add(NoteOn::Source, cause,
+      std::to_string(segments.size()) + text + ": " + listFirst(names, segments.size()) + ". " +
+        advice);
+  }
 }
 
 void noteDetours(const SourcePolylines& source, const SourceCurves& onSurface, Notes& notes)
 {
-  if (onSurface.detours.empty())
-  {
-    return;
-  }
-  const bool isOne = onSurface.detours.size() == 1;
-  std::ostringstream text;
-  text << onSurface.detours.size() << (isOne ? " segment" : " segments") << " of the source "
-       << (isOne ? "is" : "are") << " several times as long on the surface as straight (up to "
-       << std::setprecision(2) << onSurface.largestDetour
-       << " times): " << namesOf(source.polylines, onSurface.detours)
-       << ". If no detour is meant, the curve goes to another side of the surface there: move its "
-          "points closer to the side that it belongs to, or add points.";
-  notes.add(NoteOn::Source, "detours", text.str());
+  std::ostringstream longer;
+  longer << " several times as long on the surface as straight (up to " << std::setprecision(2)
+         << onSurface.largestDetour << " times)";
+  noteSegments("detours", source, onSurface.detours, "is" + longer.str(), "are" + longer.str(),
+    "If no detour is meant, the curve goes to another side of the surface there: move its points "
+    "closer to the side that it belongs to, or add points.",
+    notes);
 }
 
 /// "point 3 of block 2 (wing)" of targets, by its number over all blocks.
@@ -131,8 +124,16 @@ std::string farText(
     text << " (" << std::round(100.0 * far.largestDistance / surface.diagonal) << " % of its size)";
   }
   text << ", at " << far.count << " of " << far.ofAll
-       << " points: " << listed(far.names, far.count);
+       << " points: " << listFirst(far.names, far.count);
   return text.str();
+}
+
+void noteFarTargets(
+  const FarPoints& far, const PolyDataSurface& surface, NoteOn input, Notes& notes)
+{
+  notes.add(input, FarNote,
+    farText("The targets are", far, surface) +
+      ". Do they belong to this surface? They were put onto the surface's closest points.");
 }
 
 }
@@ -234,17 +235,11 @@ void noteSides(const TriangleMesh& mesh, const SourcePolylines& source,
       segments.push_back(given);
     }
   }
-  if (segments.empty())
-  {
-    return;
-  }
-  const bool isOne = segments.size() == 1;
-  notes.add(NoteOn::Source, "opposed curves",
-    std::to_string(segments.size()) + (isOne ? " segment" : " segments") + " of the source " +
-      (isOne ? "runs" : "run") +
-      " over another in the opposite direction: " + namesOf(source.polylines, segments) +
-      ". Signs need one direction: what is left of one is right of the other, and rounding decides "
-      "the sign there. Leave one of them out.");
+  const std::string over = " over another in the opposite direction";
+  noteSegments("opposed curves", source, segments, "runs" + over, "run" + over,
+    "Signs need one direction: what is left of one is right of the other, and rounding decides the "
+    "sign there. Leave one of them out.",
+    notes);
 }
 
 void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& blocks,
@@ -279,9 +274,19 @@ void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock
   {
     far.names.push_back(nameOfTarget(blocks, numbers[i]));
   }
-  notes.add(input, FarNote,
-    farText("The targets are", far, surface) +
-      ". Do they belong to this surface? They were put onto the surface's closest points.");
+  noteFarTargets(far, surface, input, notes);
+}
+
+void noteTargetSets(const PolyDataSurface& surface, const TriangleMesh& mesh,
+  const SourcePolylines& targets, NoteOn input, Notes& notes)
+{
+  notes.add(input, targets.droppedCells, "cell", "cells",
+    "of the targets left out: neither vertices, lines nor flat faces.");
+  const FarPoints far = farPointsOf(mesh, targets.polylines, farLimit(surface));
+  if (far.count > 0 && !notes.has(NoteOn::Source, FarNote))
+  {
+    noteFarTargets(far, surface, input, notes);
+  }
 }
 
 }

@@ -111,6 +111,9 @@ void noteSides(const TriangleMesh& mesh, const SourcePolylines& source,
 /// \param input the one with these blocks.
 void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& blocks,
   const Targets& targets, NoteOn input, Notes& notes);
+/// The same of sets of targets, which are on the surface in one process.
+void noteTargetSets(const PolyDataSurface& surface, const TriangleMesh& mesh,
+  const SourcePolylines& targets, NoteOn input, Notes& notes);
 
 }
 

@@ -6,7 +6,6 @@
 #include "Types.h"
 
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -171,74 +170,6 @@ PolyDataBlock targetBlock(vtkDataObject* data, const PartName& name)
   return block;
 }
 
-/// Whether cells of a grid are flat faces that a vtkPolyData can have.
-bool isFace(int type)
-{
-  return type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_PIXEL || type == VTK_POLYGON;
-}
-
-/// Cells of one kind, and their numbers in the grid.
-struct CellsOfKind
-{
-  vtkNew<vtkCellArray> cells;
-  std::vector<vtkIdType> numbers;
-
-  void add(vtkIdType number, vtkIdType size, const vtkIdType* ids)
-  {
-    this->cells->InsertNextCell(size, ids);
-    this->numbers.push_back(number);
-  }
-};
-
-/// Other cells become lines without points, so that these keep their numbers.
-void addVerticesLinesAndFaces(vtkUnstructuredGrid* grid, PolyDataBlock& block)
-{
-  requireTypes(grid, block.name);
-  CellsOfKind vertices;
-  CellsOfKind lines;
-  CellsOfKind faces;
-  CellsOfKind strips;
-  vtkIdType next = 0;
-  forEachCell(grid->GetCells(),
-    [&](vtkIdType size, const vtkIdType* ids)
-    {
-      const vtkIdType number = next++;
-      const int type = grid->GetCellType(number);
-      if (type == VTK_VERTEX || type == VTK_POLY_VERTEX)
-      {
-        vertices.add(number, size, ids);
-      }
-      else if (type == VTK_PIXEL && size == 4)
-      {
-        const vtkIdType around[] = { ids[0], ids[1], ids[3], ids[2] };
-        faces.add(number, size, around);
-      }
-      else if (isFace(type))
-      {
-        faces.add(number, size, ids);
-      }
-      else if (type == VTK_TRIANGLE_STRIP)
-      {
-        strips.add(number, size, ids);
-      }
-      else
-      {
-        const bool isLine = type == VTK_LINE || type == VTK_POLY_LINE;
-        lines.add(number, isLine ? size : 0, ids);
-        block.droppedCells += isLine || type == VTK_EMPTY_CELL ? 0 : 1;
-      }
-    });
-  // in the order of a vtkPolyData's cells
-  for (const CellsOfKind* kind : { &vertices, &lines, &faces, &strips })
-  {
-    block.inputCells.insert(block.inputCells.end(), kind->numbers.begin(), kind->numbers.end());
-  }
-  block.data->SetVerts(vertices.cells);
-  block.data->SetLines(lines.cells);
-  block.data->SetPolys(faces.cells);
-  block.data->SetStrips(strips.cells);
-}
-
 PolyDataBlock sourceBlock(vtkDataObject* data, const PartName& name)
 {
   if (auto* polyData = vtkPolyData::SafeDownCast(data))
@@ -252,7 +183,8 @@ PolyDataBlock sourceBlock(vtkDataObject* data, const PartName& name)
   if (grid && grid->GetCells())
   {
     requireReadable(grid->GetCells(), "cells", 0, name);
-    addVerticesLinesAndFaces(grid, block);
+    requireTypes(grid, block.name);
+    return sourceOfGrid(grid, std::move(block));
   }
   return block;
 }
@@ -305,13 +237,7 @@ std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const PartName& name, 
   return blocks;
 }
 
-/// Whether the name of an array stands for one. "None" is the first entry of ParaView's lists.
-bool isChosen(const char* array)
-{
-  return array && *array && std::string(array) != "None";
-}
-
-/// An array of the parts of a source, or of targets.
+/// An array of the parts of a source, of targets, or of barriers.
 struct PartArray
 {
   const char* name;
@@ -352,9 +278,19 @@ PartArray arrayOfTargets(const char* name)
   return { name, "TargetNameArrayName", true, "points", "Choose an array of its points." };
 }
 
+PartArray barrierArray(const char* name)
+{
+  return { name, "BarrierArrayName", false, "barriers", "" };
+}
+
+/// \returns null if no array is chosen, or there is nothing that it could name.
 /// \throws InputError if there is no such array, or it has several components or too few values.
 vtkAbstractArray* requireArray(vtkDataSet* data, const PolyDataBlock& block, const PartArray& array)
 {
+  if (!isChosen(array.name) || data->GetNumberOfPoints() + data->GetNumberOfCells() == 0)
+  {
+    return nullptr;
+  }
   vtkAbstractArray* values = array.find(data, array.areOfPoints);
   if (!values)
   {
@@ -387,11 +323,6 @@ vtkDataArray* integersOf(vtkAbstractArray* any)
   return type == VTK_FLOAT || type == VTK_DOUBLE ? nullptr : values;
 }
 
-bool isEmpty(vtkDataSet* data)
-{
-  return data->GetNumberOfPoints() + data->GetNumberOfCells() == 0;
-}
-
 /// The names in an array of strings or integers; none if it is not chosen.
 ///
 /// \throws InputError
@@ -399,11 +330,11 @@ std::vector<std::string> readNames(
   vtkDataSet* data, const PolyDataBlock& block, const PartArray& array)
 {
   std::vector<std::string> names;
-  if (!isChosen(array.name) || isEmpty(data))
+  vtkAbstractArray* any = requireArray(data, block, array);
+  if (!any)
   {
     return names;
   }
-  vtkAbstractArray* any = requireArray(data, block, array);
   vtkDataArray* numbers = integersOf(any);
   auto* words = vtkStringArray::SafeDownCast(any);
   if (!numbers && !words)
@@ -436,15 +367,14 @@ bool areWhole(vtkDataArray* numbers)
 }
 
 /// Values that cannot be ids become -1 or SourceIdEnd.
-std::vector<vtkIdType> readSourceIds(vtkDataSet* data, const PolyDataBlock& block, const char* name)
+std::vector<vtkIdType> readIds(vtkDataSet* data, const PolyDataBlock& block, const PartArray& array)
 {
   std::vector<vtkIdType> ids;
-  if (!isChosen(name) || isEmpty(data))
+  vtkAbstractArray* any = requireArray(data, block, array);
+  if (!any)
   {
     return ids;
   }
-  const PartArray array = arrayOfParts(block, name, "SourceIdArrayName");
-  vtkAbstractArray* any = requireArray(data, block, array);
   auto* values = vtkDataArray::SafeDownCast(any);
   if (!values || !(integersOf(any) || areWhole(values)))
   {
@@ -462,12 +392,6 @@ std::vector<vtkIdType> readSourceIds(vtkDataSet* data, const PolyDataBlock& bloc
                                                     : static_cast<vtkIdType>(value));
   }
   return ids;
-}
-
-/// As messages call an array of barriers.
-std::string nameOfBarriers(const PolyDataBlock& block, const std::string& name)
-{
-  return "The cell array " + name + " (BarrierArrayName) of " + block.name.text();
 }
 
 /// The cells of the input that are faces, in their order.
@@ -512,7 +436,7 @@ void giveToCells(const std::vector<vtkIdType>& faces, PolyDataBlock& block)
 void requireBarrierValues(PolyDataBlock& block)
 {
   vtkDataArray* values = block.barriers;
-  const std::string begin = nameOfBarriers(block, values->GetName());
+  const std::string begin = barrierArray(values->GetName()).in(block);
   if (values->GetNumberOfComponents() != 1)
   {
     throw InputError(begin + " has " + std::to_string(values->GetNumberOfComponents()) +
@@ -654,6 +578,11 @@ std::size_t takeBlocks(
 
 }
 
+bool isChosen(const char* array)
+{
+  return array && *array && std::string(array) != "None";
+}
+
 double PolyDataBlock::precision() const
 {
   const bool isFloat =
@@ -661,19 +590,25 @@ double PolyDataBlock::precision() const
   return isFloat ? FLT_EPSILON : DBL_EPSILON;
 }
 
+std::string listFirst(const std::vector<std::string>& names, std::size_t count)
+{
+  std::string text;
+  for (const std::string& name : names)
+  {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return count > names.size() ? text + " and " + std::to_string(count - names.size()) + " more"
+                              : text;
+}
+
 std::string listIds(const std::vector<vtkIdType>& ids)
 {
-  const std::size_t shown = std::min<std::size_t>(ids.size(), 5);
-  std::string text;
-  for (std::size_t i = 0; i < shown; ++i)
+  std::vector<std::string> first;
+  for (std::size_t i = 0; i < std::min<std::size_t>(ids.size(), 5); ++i)
   {
-    text += (i == 0 ? "" : ", ") + std::to_string(ids[i]);
+    first.push_back(std::to_string(ids[i]));
   }
-  if (ids.size() > shown)
-  {
-    text += " and " + std::to_string(ids.size() - shown) + " more";
-  }
-  return text;
+  return listFirst(first, ids.size());
 }
 
 std::string whereNotFinite(const PolyDataBlock& block, const char* isUsed)
@@ -707,9 +642,18 @@ std::vector<PolyDataBlock> sourceBlocks(
     {
       PolyDataBlock block = sourceBlock(object, ownName);
       auto* data = vtkDataSet::SafeDownCast(object);
-      block.sourceIds = readSourceIds(data, block, arrays.sourceIds);
+      const char* const role = arrays.areTargets ? "Target" : "Source";
+      const std::string idProperty = std::string(role) + "IdArrayName";
+      const std::string nameProperty = std::string(role) + "NameArrayName";
+      const PartArray ids = arrayOfParts(block, arrays.sourceIds, idProperty.c_str());
+      if (arrays.areTargets && !ids.find(data, ids.areOfPoints) && ids.find(data, true))
+      {
+        block = targetBlock(object, ownName);
+      }
+      block.sourceIds =
+        readIds(data, block, arrayOfParts(block, arrays.sourceIds, idProperty.c_str()));
       block.partNames =
-        readNames(data, block, arrayOfParts(block, arrays.sourceNames, "SourceNameArrayName"));
+        readNames(data, block, arrayOfParts(block, arrays.sourceNames, nameProperty.c_str()));
       block.pointNames = readNames(data, block, arrayOfTargets(arrays.targetNames));
       return block;
     });
@@ -747,7 +691,7 @@ void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* array, Ex
     }
     else if (any)
     {
-      throw InputError(nameOfBarriers(block, array) + " is a " + any->GetClassName() +
+      throw InputError(barrierArray(array).in(block) + " is a " + any->GetClassName() +
         ", where numbers are needed. Choose a numeric array.");
     }
     isMissing = isMissing || (!any && block.data->GetNumberOfCells() > 0);

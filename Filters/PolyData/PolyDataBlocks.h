@@ -90,8 +90,11 @@ constexpr vtkIdType SourceIdEnd = static_cast<vtkIdType>(
 ///         read; it says which and what to do.
 std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const PartName& name);
 
-/// Names of arrays of a source or of targets. Null, empty and "None" (the first entry of ParaView's
-/// list) stand for none.
+/// Whether the name of an array stands for one: null, empty and "None" (the first entry of
+/// ParaView's list) do not.
+bool isChosen(const char* array);
+
+/// Names of arrays of a source or of targets, where isChosen().
 struct PartArrays
 {
   /// Of the ids of the source's parts: an array of the points of a set of points, else of cells.
@@ -100,6 +103,9 @@ struct PartArrays
   const char* sourceNames = nullptr;
   /// Of the names of the points, which are the targets.
   const char* targetNames = nullptr;
+  /// Whether the parts are sets of targets: messages name the properties of those, and points are
+  /// parts, whatever cells there are, where they have the ids and cells have not.
+  bool areTargets = false;
 };
 
 /// The same for a source, which may be any vtkPointSet, or leaves that are: of a
@@ -129,6 +135,8 @@ std::vector<PolyDataBlock> targetBlocks(
 ///         NaN.
 void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* array, Exchange& exchange);
 
+/// "cell 3, cell 17 and 5 more", by the names of the first of so many.
+std::string listFirst(const std::vector<std::string>& names, std::size_t count);
 /// The first few of some ids, for an error message: "3, 17, 20 and 5 more".
 std::string listIds(const std::vector<vtkIdType>& ids);
 

@@ -2,6 +2,8 @@
 #ifndef geodesic_Stages_h
 #define geodesic_Stages_h
 
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace geodesic
@@ -53,23 +55,10 @@ constexpr StageRow Stages[] = {
   { Stage::Write, "writing the outputs, after all was computed", 5.0 },
 };
 
-constexpr bool areInOrder()
+inline const StageRow& rowOf(Stage stage)
 {
-  int next = 0;
-  for (const StageRow& row : Stages)
-  {
-    if (row.stage != static_cast<Stage>(next++))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-static_assert(areInOrder(), "rowOf() finds rows by their number");
-
-constexpr const StageRow& rowOf(Stage stage)
-{
-  return Stages[static_cast<int>(stage)];
+  return *std::find_if(std::begin(Stages), std::end(Stages),
+    [stage](const StageRow& row) { return row.stage == stage; });
 }
 
 /// A stretch of the whole, from one fraction to another.

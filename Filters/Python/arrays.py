@@ -4,13 +4,15 @@
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (VTK_BEZIER_CURVE, VTK_CUBIC_LINE, VTK_EMPTY_CELL, VTK_LAGRANGE_CURVE,
-                                           VTK_LINE, VTK_POLY_LINE, VTK_POLY_VERTEX, VTK_QUADRATIC_EDGE, VTK_VERTEX,
-                                           vtkCompositeDataSet, vtkPolyData, vtkUnstructuredGrid)
+                                           VTK_LINE, VTK_POLY_LINE, VTK_POLY_VERTEX, VTK_POLYGON, VTK_QUAD,
+                                           VTK_QUADRATIC_EDGE, VTK_TRIANGLE, VTK_VERTEX, vtkCompositeDataSet,
+                                           vtkPolyData, vtkUnstructuredGrid)
 
 SURFACES = (vtkPolyData, vtkUnstructuredGrid)
 # The cells of a grid that lie beside faces.
 NO_FACES = (VTK_EMPTY_CELL, VTK_VERTEX, VTK_POLY_VERTEX, VTK_LINE, VTK_POLY_LINE, VTK_QUADRATIC_EDGE, VTK_CUBIC_LINE,
             VTK_LAGRANGE_CURVE, VTK_BEZIER_CURVE)
+FLAT_FACES = (VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON)
 
 
 def blocks_of(data):
@@ -34,6 +36,17 @@ def points_of(data):
 def faces_of(data):
     """Indices of points: an array where all faces have as many, else a list of arrays."""
     return _rows(*_cells(data, vtkPolyData.GetPolys))
+
+
+def corners_of_faces(data):
+    """The number of corners of each face, and the corners of all; None where some are curved or in strips."""
+    for block in blocks_of(data):
+        if isinstance(block, vtkPolyData):
+            if block.GetNumberOfStrips():
+                return None
+        elif any(block.GetCellType(i) not in FLAT_FACES for i in range(block.GetNumberOfCells())):
+            return None
+    return _cells(data, lambda block: block.GetPolys() if isinstance(block, vtkPolyData) else block.GetCells())
 
 
 def lines_of(data):
@@ -64,6 +77,11 @@ def used_points(data):
         ids = _corners(block)
         flags[ids[(ids >= 0) & (ids < len(flags))]] = True
     return np.concatenate([np.empty(0, bool), *used])
+
+
+def column_of(table, name):
+    """A column in the memory of the table."""
+    return vtk_to_numpy(table.GetColumnByName(name))
 
 
 def columns_of(table):

@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import (VTK_BIQUADRATIC_QUAD, VTK_BIQUADRATIC
                                            VTK_QUADRATIC_QUAD, VTK_QUADRATIC_TRIANGLE, VTK_TRIANGLE, vtkCellArray,
                                            vtkCompositeDataSet, vtkDataObject, vtkPolyData, vtkUnstructuredGrid)
 
-from .arrays import SURFACES, points_of
+from .arrays import SURFACES, corners_of_faces, points_of
 from .messages import GeodesicError, warn
 
 FORM = "geodesicdistance.distance((points, faces), source)"
@@ -79,6 +79,49 @@ def _shallow_copy(data, what):
     copy = data.NewInstance()
     copy.ShallowCopy(data)
     return copy
+
+
+def are_of_faces(values, data, count, name):
+    """Whether there is a value for each face, not for each of the points, which are so many."""
+    corners = corners_of_faces(data) if values.ndim == 1 else None
+    if corners is None or values.size != len(corners[0]):
+        return False
+    if values.size == count:
+        what = "Give points by their indices, or append" if values.dtype == bool else "Append"
+        raise GeodesicError(f"{name} has {count} values, but the surface has as many points as faces, so that nothing "
+                            f"tells which are meant. {what} a point that no face uses to those of the surface.")
+    return True
+
+
+def faces_as_source(ids, data):
+    """Faces of a surface by their indices, as a data set."""
+    sizes, corners = corners_of_faces(data)
+    is_in = np.isin(np.arange(len(sizes)), ids)
+    used, corners = np.unique(corners[np.repeat(is_in, sizes)], return_inverse=True)
+    source = indexed_points(used, data)
+    source.SetPolys(_cell_array(sizes[is_in], corners))
+    return source
+
+
+def masked_faces(where, data, count):
+    """The region of a mask with a value for each face; None where it is none. count: of points."""
+    where = array_of(where, "The source")
+    if where.dtype != bool or not are_of_faces(where, data, count, "The source"):
+        return None
+    if not where.any():
+        raise GeodesicError("The source is empty: give at least one face.")
+    return faces_as_source(np.flatnonzero(where), data)
+
+
+def labels_of_parts(labels):
+    """Labels as an array of integers."""
+    labels = array_of(labels, "labels")
+    if labels.ndim != 1 or not np.issubdtype(labels.dtype, np.integer):
+        raise GeodesicError(f"labels has one integer for each point or for each face; {labels.dtype} are given, in the "
+                            f"shape {labels.shape}.")
+    if not (labels >= 0).any():
+        raise GeodesicError("labels has no region: all are negative, which stands for none.")
+    return labels
 
 
 def point_indices(where, count, name):

@@ -22,6 +22,7 @@ PHRASES = (
     (r"Connect (a curve|at least)", r"Give \1"),
     (r"Connect a surface", "Give a surface"),
     (r"set at least one distance \(.*?\)", "give at least one in distances"),
+    (r"give a point of the source in", "give a start in"),
     (r"set Accuracy to Approximate", "set relative_error"),
     (r"switch ([A-Z]\w+) off", r"set \1=False"),
     (r"switch ([A-Z]\w+) on", r"set \1=True"),

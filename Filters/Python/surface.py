@@ -15,8 +15,10 @@ from . import arrays, inputs, pickling
 from .messages import GeodesicError, property_name, run, warn
 from .pairs import Places, few_sources, index_pairs
 from .vtkFiltersGeodesic import (vtkGeodesicContour, vtkGeodesicDistanceField, vtkGeodesicDistanceMatrix,
-                                 vtkGeodesicPaths)
+                                 vtkGeodesicFarthestPoints, vtkGeodesicPaths)
 
+
+SOURCE = "The source"  # as messages call it
 
 # VTK's number of threads, its observers and where its messages go are of the whole process, so one call runs at a time.
 # Threads that wait for it do not hold Python's own lock.
@@ -143,16 +145,27 @@ class Surface:
         return result
 
     @_one_at_a_time
-    def matrix(self, source=None, targets=None, *, pairs=None, maximum_distance=0, boundary=False, join_lines=True,
-               source_ids=None):
+    def matrix(self, source=None, targets=None, *, labels=None, pairs=None, maximum_distance=0, boundary=False,
+               join_lines=True, source_ids=None):
         """The distances of each target (row) to each part of the source (column), each alone.
 
-        Targets are given as a source is; without them they are the points of the source. pairs takes rows of two
+        Targets are given as a source is; without them they are the points of the source.
+
+        labels takes the place of source and targets: an integer for each face, or for each point. The faces (points)
+        of one label are a region (set), and the table, which is symmetric, has the distances of all of them from one
+        another, in the order of numpy.unique(labels[labels >= 0]); negative labels stand for none.
+
+        pairs takes rows of two
         indices, k x 2, and gives one distance a row, without the whole table: it measures from as few points as will
         do, once from each, no farther than to its partners. The first index of a row is that of a point of the source,
         the second that of a target, both given by positions or by indices; without source and targets, both are
         indices of points of the surface.
         """
+        if labels is not None:
+            if boundary or any(given is not None for given in (source, targets, pairs, source_ids)):
+                raise GeodesicError("labels are the source and the targets: give neither these, nor pairs, boundary or "
+                                    "source_ids with it.")
+            return self._table_of_labels(labels, maximum_distance=maximum_distance)
         if pairs is None:
             return self._table(source, targets, maximum_distance=maximum_distance, boundary=boundary,
                                join_lines=join_lines, source_ids=source_ids)
@@ -180,37 +193,16 @@ class Surface:
         of_faces = self._are_of_faces(starts)
         if not of_faces.all():
             raise GeodesicError(f"Point {starts[~of_faces][0]} of the start belongs to no face of the surface.")
-        known = np.full(self._number_of_points(), np.inf)
-        ids, radii = [], []
-        for start in starts:
-            ids.append(start)
-            radii.append(known[start])
-            if len(ids) < count:
-                self._shorten(known, start)
-        if count > len(starts):
-            self._warn_of_parts_without(known)
-        while len(ids) < count:
-            ids.append(np.where(known < np.inf, known, -1).argmax())
-            radii.append(known[ids[-1]])
-            if not radii[-1] > 0:
-                raise GeodesicError(f"count is {count}, but there are only {len(ids) - 1} points at different places "
-                                    "to which a path leads from the start.")
-            if len(ids) < count:
-                # All points are within this distance of those before: the new point is nearest to none beyond it.
-                self._shorten(known, ids[-1], maximum_distance=radii[-1])
-        return np.array(ids, np.int64), np.array(radii)
-
-    def _shorten(self, known, point, **given):
-        """Shortens known distances where the point is nearer."""
-        output = self._solve(source=inputs.indexed_points(np.array([point], np.int64), self._data),
-                             **{**FIELD_DEFAULTS, **given})
-        np.minimum(known, arrays.point_array(output, "GeodesicDistance"), out=known)
-
-    def _warn_of_parts_without(self, known):
-        lost = self._used_points() & ~(known < np.inf)
-        if lost.any() and self._properties["barrier_array_name"] is None:
-            warn(f"{lost.sum()} points are left out, as no path leads to them from the start, such as point "
-                 f"{lost.argmax()}: give a start in each part of the surface.")
+        between = self.matrix(starts) if len(starts) > 1 else np.empty((1, 1))
+        radii = [between[k, :k].min(initial=np.inf) for k in range(len(starts))]
+        if count == len(starts):
+            return starts.astype(np.int64), np.array(radii)
+        found = self._run(vtkGeodesicFarthestPoints, starts, number_of_points=int(count) - len(starts))
+        ids = np.concatenate((starts, arrays.column_of(found, "PointId"))).astype(np.int64)
+        if len(ids) < count:
+            raise GeodesicError(f"count is {count}, but there are only {len(ids)} points at different places to which "
+                                "a path leads from the start.")
+        return ids, np.concatenate((radii, arrays.column_of(found, "GeodesicDistance")))
 
     def _solve(self, accuracy, relative_error, **given):
         """The output of the field's filter."""
@@ -223,7 +215,7 @@ class Surface:
 
     def _table(self, source, targets, **given):
         """The matrix, in which points that no face uses are infinitely far."""
-        data, columns = (None, np.ones(0, bool)) if source is None else self._places(source, "The source")
+        data, columns = (None, np.ones(0, bool)) if source is None else self._places(source, SOURCE)
         if given["source_ids"] is not None:
             self._source(source)  # of whose points each has an id: none may be missing
         if columns.size and not columns.any():
@@ -233,6 +225,27 @@ class Surface:
         table = arrays.columns_of(self._run(vtkGeodesicDistanceMatrix, data, places, **given))
         table = table if rows.any() else table[:0]
         return arrays.with_infinite(arrays.with_infinite(table, rows, axis=0), columns, axis=1)
+
+    def _table_of_labels(self, labels, **given):
+        """The matrix of all regions, in which those without a point that a face uses are infinitely far."""
+        labels, count = inputs.labels_of_parts(labels), self._number_of_points()
+        parts = np.flatnonzero(labels >= 0)
+        if inputs.are_of_faces(labels, self._data, count, "labels"):
+            data = inputs.faces_as_source(parts, self._data)
+        elif labels.size == count:
+            parts = parts[self._are_of_faces(parts)]
+            if not parts.size:
+                raise GeodesicError("No point with a label belongs to a face of the surface.")
+            data = inputs.indexed_points(parts, self._data)
+        else:
+            faces = arrays.corners_of_faces(self._data)
+            raise GeodesicError(f"labels has {labels.size} integers, but the surface has {count} points and " +
+                                (f"{len(faces[0])} faces." if faces else "faces that cannot be labelled: some are "
+                                 "curved, or in strips. Make triangles of them (vtkTriangleFilter)."))
+        table = arrays.columns_of(self._run(vtkGeodesicDistanceMatrix, data, source_ids=labels[parts],
+                                            target_ids=inputs.SOURCE_IDS, **given))
+        are_there = np.isin(np.unique(labels[labels >= 0]), labels[parts])
+        return arrays.with_infinite(arrays.with_infinite(table, are_there, axis=0), are_there, axis=1)
 
     def _distances_of_pairs(self, pairs, source, targets, **given):
         """The distance of the two points of each row."""
@@ -269,8 +282,9 @@ class Surface:
         ids = inputs.point_indices(where, self._number_of_points(), name)
         return Places.of_positions(where, name) if ids is None else Places.of_indices(ids)
 
-    def _run(self, kind, source, targets=None, *, distances=(), boundary=False, source_ids=None, **properties):
-        """The output of a filter of a kind, which is kept. targets: None or a data set."""
+    def _run(self, kind, source, targets=None, *, distances=(), boundary=False, source_ids=None, target_ids=None,
+             **properties):
+        """The output of a filter of a kind, which is kept. targets: None or a data set. target_ids: an array's name."""
         if kind not in self._filters:
             self._filters[kind] = kind()
             self._filters[kind].SetInputData(self._data)
@@ -286,6 +300,8 @@ class Surface:
             filter.SetTargetsData(targets)
         if kind is vtkGeodesicContour:
             _set_values(filter, distances)
+        if kind is vtkGeodesicDistanceMatrix:
+            filter.SetTargetIdArrayName(target_ids)
         for argument, value in {**self._properties, **properties}.items():
             _set(filter, argument, value)
         filter.Modified()  # the surface may have been changed in place
@@ -294,7 +310,7 @@ class Surface:
         return filter.GetOutputDataObject(0)
 
     def _source(self, source):
-        data, of_faces = self._places(source, "The source")
+        data, of_faces = self._places(source, SOURCE)
         if not of_faces.all():
             point = inputs.point_indices(source, self._number_of_points(), "The source")[~of_faces][0]
             raise GeodesicError(f"Point {point} of the source belongs to no face of the surface.")
@@ -315,6 +331,9 @@ class Surface:
         where = inputs.unwrapped(where)
         if isinstance(where, vtkDataObject):
             return where, np.ones(where.GetNumberOfElements(vtkDataObject.POINT), bool)
+        region = inputs.masked_faces(where, self._data, self._number_of_points()) if name == SOURCE else None
+        if region is not None:
+            return region, np.ones(region.GetNumberOfPoints(), bool)
         ids = inputs.point_indices(where, self._number_of_points(), name)
         if ids is None:
             data = inputs.point_set(where, name)
@@ -348,7 +367,7 @@ METHODS = (Surface.distance, Surface.field, Surface.contour, Surface.paths, Surf
 # Properties of the filters, as their messages name them, and what they are called here.
 ARGUMENTS = {property_name(argument): argument for function in (Surface, *METHODS)
              for argument in inspect.signature(function).parameters if "_" in argument}
-ARGUMENTS.update(BarrierArrayName="barriers", SourceIdArrayName="source_ids")
+ARGUMENTS.update(BarrierArrayName="barriers", SourceIdArrayName="source_ids", TargetIdArrayName="labels")
 
 
 def _set(filter, argument, value):

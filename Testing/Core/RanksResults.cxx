@@ -443,7 +443,7 @@ private:
 
   /// What the owners of the halo's faces have told of these.
   void addTold(const RankOfRun& rank, const std::vector<RankAddress>& faces,
-    const std::vector<geodesic::RefinedFace>& told)
+    const std::vector<RefinedMesh>& told)
   {
     for (std::size_t i = 0; i < faces.size(); ++i)
     {

@@ -197,9 +197,8 @@ TEST(SeamsOfRanks, PathsAcrossTwoRowsOfEdgesOfThreeFacesAreFollowedToTheSource)
   scene.curves = { pointSource(source) };
   scene.queries = { { 10, { 0.2, 0.5, 0.3 } }, { 26, { 0.3, 0.4, 0.3 } },
     { 43, { 0.1, 0.3, 0.6 } } };
-  for (std::uint64_t seed = 0; seed < 15; ++seed)
+  for (Random& random : EachSeed(15))
   {
-    Random random(seed);
     std::array<int, 5> rankOfPart;
     std::generate(
       rankOfPart.begin(), rankOfPart.end(), [&]() { return static_cast<int>(random.below(3)); });
@@ -211,7 +210,7 @@ TEST(SeamsOfRanks, PathsAcrossTwoRowsOfEdgesOfThreeFacesAreFollowedToTheSource)
     const std::vector<FoundPath> paths = pathsOnRanks(cut, scene);
     for (std::size_t i = 0; i < paths.size(); ++i)
     {
-      EXPECT_FALSE(paths[i].wasLost) << "seed " << seed << ", target " << i;
+      EXPECT_FALSE(paths[i].wasLost) << "target " << i;
       EXPECT_NEAR(lengthOf(paths[i]),
         spaceDistance(position(scene.mesh, source), position(scene.mesh, scene.queries[i])), 1e-12);
     }

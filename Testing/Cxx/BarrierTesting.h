@@ -19,45 +19,12 @@
 namespace GeodesicTesting
 {
 
-using Where = std::function<bool(const Point&)>;
-
-inline std::vector<Point> CornersOf(vtkPolyData* data, vtkIdType cell)
-{
-  vtkNew<vtkIdList> ids;
-  data->GetCellPoints(cell, ids);
-  std::vector<Point> corners(static_cast<std::size_t>(ids->GetNumberOfIds()));
-  for (std::size_t k = 0; k < corners.size(); ++k)
-  {
-    data->GetPoint(ids->GetId(static_cast<vtkIdType>(k)), corners[k].data());
-  }
-  return corners;
-}
-
-inline Point CentreOf(vtkPolyData* data, vtkIdType cell)
-{
-  const std::vector<Point> corners = CornersOf(data, cell);
-  Point centre{};
-  for (const Point& corner : corners)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      centre[i] += corner[i] / static_cast<double>(corners.size());
-    }
-  }
-  return centre;
-}
-
 /// Marks cells by their centre, in the array "barrier".
 inline vtkSmartPointer<vtkPolyData> WithBarriers(
   vtkSmartPointer<vtkPolyData> data, const Where& isBarrier)
 {
-  vtkNew<vtkIntArray> barriers;
-  barriers->SetName("barrier");
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
-  {
-    barriers->InsertNextValue(isBarrier(CentreOf(data, cell)) ? 1 : 0);
-  }
-  data->GetCellData()->AddArray(barriers);
+  AddArrayOf<vtkIntArray>(data->GetCellData(), "barrier", data->GetNumberOfCells(),
+    [&](vtkIdType cell) { return isBarrier(CentreOf(data, cell)) ? 1 : 0; });
   return data;
 }
 
@@ -142,80 +109,22 @@ inline std::string RunWithBarriers(Check& check, vtkGeodesicAlgorithm* filter,
   vtkDataObject* surface, vtkPolyData* source, const std::string& what)
 {
   filter->SetInputDataObject(0, surface);
-  if (source)
-  {
-    filter->SetSourceData(source);
-  }
-  else
+  filter->SetSourceData(source);
+  if (!source)
   {
     filter->SetSourceTypeToSurfaceBoundary();
   }
   filter->SetBarrierArrayName("barrier");
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), what + ": " + messages.Error());
-  return messages.Warning();
+  return RunWithoutError(check, filter, what);
 }
 
-/// Marks cells by their centre as duplicates.
-inline vtkSmartPointer<vtkPolyData> WithGhosts(
-  vtkSmartPointer<vtkPolyData> data, const Where& isGhost)
+/// Flags cells by their centre: by default as duplicates.
+inline vtkSmartPointer<vtkPolyData> WithGhosts(vtkSmartPointer<vtkPolyData> data,
+  const Where& isGhost, unsigned char flag = vtkDataSetAttributes::DUPLICATECELL)
 {
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
-  {
-    ghosts->InsertNextValue(
-      isGhost(CentreOf(data, cell)) ? vtkDataSetAttributes::DUPLICATECELL : 0);
-  }
-  data->GetCellData()->AddArray(ghosts);
+  AddArrayOf<vtkUnsignedCharArray>(data->GetCellData(), vtkDataSetAttributes::GhostArrayName(),
+    data->GetNumberOfCells(), [&](vtkIdType i) { return isGhost(CentreOf(data, i)) ? flag : 0; });
   return data;
-}
-
-/// The triangles whose centre is there, with points of their own.
-inline vtkSmartPointer<vtkPolyData> Part(vtkPolyData* whole, const Where& isThere)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  std::vector<vtkIdType> numbers(static_cast<std::size_t>(whole->GetNumberOfPoints()), -1);
-  vtkNew<vtkCellArray> polys;
-  for (vtkIdType cell = 0; cell < whole->GetNumberOfPolys(); ++cell)
-  {
-    if (!isThere(CentreOf(whole, cell)))
-    {
-      continue;
-    }
-    vtkNew<vtkIdList> ids;
-    whole->GetPolys()->GetCellAtId(cell, ids);
-    polys->InsertNextCell(static_cast<int>(ids->GetNumberOfIds()));
-    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
-    {
-      vtkIdType& number = numbers[static_cast<std::size_t>(ids->GetId(k))];
-      number = number < 0 ? points->InsertNextPoint(whole->GetPoint(ids->GetId(k))) : number;
-      polys->InsertCellPoint(number);
-    }
-  }
-  auto part = vtkSmartPointer<vtkPolyData>::New();
-  part->SetPoints(points);
-  part->SetPolys(polys);
-  return part;
-}
-
-inline vtkSmartPointer<vtkMultiBlockDataSet> Blocks(
-  const std::vector<vtkSmartPointer<vtkPolyData>>& parts)
-{
-  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  for (unsigned int i = 0; i < parts.size(); ++i)
-  {
-    blocks->SetBlock(i, parts[i]);
-  }
-  return blocks;
-}
-
-inline vtkPolyData* Block(vtkGeodesicDistanceField* filter, unsigned int index)
-{
-  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-  return vtkPolyData::SafeDownCast(output->GetBlock(index));
 }
 
 /// The corners of the triangles whose centre is between two x, with their distances.
@@ -322,10 +231,8 @@ inline double EdgeLengthsDiffer(vtkPolyData* input, vtkPolyData* output)
     std::map<int, double> lengths;
     for (const auto& [edge, cells] : cellsAt)
     {
-      Point a;
-      Point b;
-      data->GetPoint(edge.first, a.data());
-      data->GetPoint(edge.second, b.data());
+      const Point a = PointAt(data, edge.first);
+      const Point b = PointAt(data, edge.second);
       lengths[cells] += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
     }
     return lengths;
@@ -409,8 +316,7 @@ inline double InterpolationError(vtkPolyData* output, const Where& isBarrier, co
         {
           const double* corner = output->GetPoint(ids->GetId(k));
           p = { p[0] + weights[k] * corner[0], p[1] + weights[k] * corner[1], 0.0 };
-          value += weights[k] *
-            output->GetPointData()->GetArray("GeodesicDistance")->GetTuple1(ids->GetId(k));
+          value += weights[k] * PointValue(output, "GeodesicDistance", ids->GetId(k));
         }
         // A little inside, as rounding might put it into a barrier.
         const Point centre = CentreOf(output, cell);

@@ -43,8 +43,7 @@ struct Cracked
     }
     for (vtkIdType i = 0; distances && i < output->GetNumberOfPoints(); ++i)
     {
-      Point p;
-      output->GetPoint(i, p.data());
+      const Point p = PointAt(output, i);
       const double truth = this->Truth.at(p);
       if (distances->GetTuple1(i) != truth)
       {
@@ -310,16 +309,9 @@ inline Cracked MakeCracked(std::uint64_t seed)
 inline double CheckClosed(
   Check& check, const Cracked& cracked, vtkPolyData* piece, const std::string& what)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(piece);
-  filter->SetSourceData(cracked.Source);
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty() && messages.Warning().empty(),
-    what + ": " + messages.Error() + messages.Warning());
-  check.Equal(static_cast<double>(filter->GetSeamPointsJoined()),
-    static_cast<double>(cracked.PointsToJoin), what + ": joined points");
+  const auto filter = PlainField(piece, cracked.Source);
+  Messages(filter).ExpectNothing(check, what);
+  check.Equal(filter->GetSeamPointsJoined(), cracked.PointsToJoin, what + ": joined points");
   const double error = cracked.ErrorOf(filter->GetOutput());
   check.That(error <= cracked.Tolerance,
     what + ": wrong by " + std::to_string(error) + " of the largest distance, allowed " +

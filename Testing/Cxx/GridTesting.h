@@ -48,37 +48,29 @@ inline vtkSmartPointer<vtkUnstructuredGrid> GridOf(
 inline void AddCellArrays(const std::vector<GridCell>& cells, const std::vector<std::size_t>& some,
   vtkDataSetAttributes* data)
 {
-  vtkNew<vtkIntArray> barriers;
-  barriers->SetName("barrier");
-  vtkNew<vtkIdTypeArray> numbers;
-  numbers->SetName("number");
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  const bool hasGhosts =
-    std::any_of(cells.begin(), cells.end(), [](const GridCell& cell) { return cell.Ghost != 0; });
-  for (const std::size_t cell : some)
+  const auto valuesOf = [&](const auto& valueOf)
   {
-    barriers->InsertNextValue(cells[cell].Barrier);
-    numbers->InsertNextValue(static_cast<vtkIdType>(cell));
-    ghosts->InsertNextValue(cells[cell].Ghost);
-  }
-  data->AddArray(barriers);
-  data->AddArray(numbers);
-  if (hasGhosts)
+    std::vector<vtkIdType> values;
+    for (const std::size_t cell : some)
+    {
+      values.push_back(valueOf(cells[cell]));
+    }
+    return values;
+  };
+  const auto ghostOf = [](const GridCell& cell) { return cell.Ghost; };
+  AddArray<vtkIntArray>(
+    data, "barrier", valuesOf([](const GridCell& cell) { return cell.Barrier; }));
+  AddArray<vtkIdTypeArray>(data, "number", some);
+  if (std::any_of(cells.begin(), cells.end(), ghostOf))
   {
-    data->AddArray(ghosts);
+    AddArray<vtkUnsignedCharArray>(data, vtkDataSetAttributes::GhostArrayName(), valuesOf(ghostOf));
   }
 }
 
 inline void AddPointArray(vtkDataSet* data)
 {
-  vtkNew<vtkIntArray> names;
-  names->SetName("point");
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    names->InsertNextValue(static_cast<int>(i));
-  }
-  data->GetPointData()->AddArray(names);
+  AddArrayOf<vtkIntArray>(data->GetPointData(), "point", data->GetNumberOfPoints(),
+    [&](vtkIdType i) { return static_cast<int>(i); });
 }
 
 /// One surface, twice.
@@ -275,17 +267,6 @@ private:
   std::map<std::pair<vtkIdType, vtkIdType>, std::size_t> FaceOf;
   GridAndPolyData Surface;
 };
-
-inline bool AreSame(vtkDataArray* a, vtkDataArray* b)
-{
-  return a == b ||
-    (a && b && a->GetDataType() == b->GetDataType() &&
-      a->GetNumberOfValues() == b->GetNumberOfValues() &&
-      a->GetNumberOfComponents() == b->GetNumberOfComponents() &&
-      (a->GetNumberOfValues() == 0 ||
-        std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
-          static_cast<std::size_t>(a->GetNumberOfValues() * a->GetDataTypeSize())) == 0));
-}
 
 /// "OriginalCellIds" of the grid's output are the grid's cells, which "number" of the other is.
 inline void CompareArrays(

@@ -105,28 +105,26 @@ inline ByHand JoinedByHand(const std::vector<Curve>& curves, const std::vector<S
   }
   std::sort(order.begin(), order.end());
   ByHand made;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
+  std::vector<Point> points;
+  std::vector<std::vector<vtkIdType>> cells;
   for (const auto& [id, c] : order)
   {
     const Curve curve = Directed(curves[c], places.at(lines[static_cast<std::size_t>(id)]),
       directions[c][0], directions[c][1]);
-    const vtkIdType first = points->GetNumberOfPoints();
-    cells->InsertNextCell(static_cast<int>(curve.points.size()) + (curve.closed ? 1 : 0));
+    std::vector<vtkIdType>& cell = cells.emplace_back();
     for (const Point& p : curve.points)
     {
-      cells->InsertCellPoint(points->InsertNextPoint(p.data()));
+      cell.push_back(static_cast<vtkIdType>(points.size()));
+      points.push_back(p);
     }
     if (curve.closed)
     {
-      cells->InsertCellPoint(first);
+      cell.push_back(cell.front());
     }
     made.Ids.push_back(id);
   }
-  made.Source = vtkSmartPointer<vtkPolyData>::New();
-  made.Source->SetPoints(points);
-  made.Source->SetLines(cells);
+  made.Source = PointSources(points);
+  made.Source->SetLines(CellArray(cells));
   return made;
 }
 
@@ -134,23 +132,25 @@ inline ByHand JoinedByHand(const std::vector<Curve>& curves, const std::vector<S
 inline vtkSmartPointer<vtkPolyData> LinesOf(
   const std::vector<Segment>& lines, bool arePointsShared = true)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
+  std::vector<Point> points;
+  std::vector<std::vector<vtkIdType>> cells;
   std::map<Point, vtkIdType> numbers;
   for (const Segment& line : lines)
   {
-    cells->InsertNextCell(2);
+    std::vector<vtkIdType>& cell = cells.emplace_back();
     for (const Point& p : line)
     {
-      const auto [at, isNew] = numbers.emplace(p, points->GetNumberOfPoints());
-      cells->InsertCellPoint(
-        isNew || !arePointsShared ? points->InsertNextPoint(p.data()) : at->second);
+      const auto next = static_cast<vtkIdType>(points.size());
+      const auto [at, isNew] = numbers.emplace(p, next);
+      cell.push_back(isNew || !arePointsShared ? next : at->second);
+      if (cell.back() == next)
+      {
+        points.push_back(p);
+      }
     }
   }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetLines(cells);
+  auto data = PointSources(points);
+  data->SetLines(CellArray(cells));
   return data;
 }
 
@@ -181,31 +181,8 @@ inline void CompareArrays(Check& check, vtkFieldData* actual, vtkFieldData* expe
         different += found->GetComponent(i, c) == value ? 0 : 1;
       }
     }
-    check.Equal(
-      static_cast<double>(different), 0.0, what + ": values of " + name + " that are different");
+    check.Equal(different, 0.0, what + ": values of " + name + " that are different");
   }
-}
-
-inline std::vector<std::vector<vtkIdType>> CellsOf(vtkCellArray* cells)
-{
-  std::vector<std::vector<vtkIdType>> result;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
-  {
-    cells->GetCellAtId(i, ids);
-    result.emplace_back(ids->begin(), ids->end());
-  }
-  return result;
-}
-
-inline std::vector<Point> PlacesOf(vtkPolyData* data)
-{
-  std::vector<Point> places(static_cast<std::size_t>(data->GetNumberOfPoints()));
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    data->GetPoint(i, places[static_cast<std::size_t>(i)].data());
-  }
-  return places;
 }
 
 inline void CompareData(Check& check, vtkPolyData* actual, vtkPolyData* expected,
@@ -219,9 +196,14 @@ inline void CompareData(Check& check, vtkPolyData* actual, vtkPolyData* expected
   CompareArrays(check, actual->GetCellData(), expected->GetCellData(), ids, what + ", of cells");
 }
 
-inline vtkPolyData* OutputOf(vtkAlgorithm* filter, int port = 0)
+inline std::vector<std::string> ColumnsOf(vtkTable* table)
 {
-  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port));
+  std::vector<std::string> names;
+  for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
+  {
+    names.emplace_back(table->GetColumnName(i));
+  }
+  return names;
 }
 
 /// Whether a face is not oriented as its neighbors are, or an edge has three faces: there are no
@@ -238,59 +220,76 @@ struct TwoForms
   ByHand Curves;
 };
 
+/// A filter for either form.
 template <typename Filter>
-void SetInputs(Filter* lines, Filter* byHand, vtkDataObject* surface, const TwoForms& forms)
+struct FilterPair
 {
-  for (Filter* filter : { lines, byHand })
+  FilterPair(vtkDataObject* surface, const TwoForms& forms, const std::function<void(Filter*)>& set)
+    : Ids(forms.Curves.Ids)
   {
-    filter->SetInputDataObject(0, surface);
+    for (Filter* filter : { this->Lines.Get(), this->ByHand.Get() })
+    {
+      filter->SetInputDataObject(0, surface);
+      set(filter);
+    }
+    this->Lines->SetSourceData(forms.Lines);
+    this->ByHand->SetSourceData(forms.Curves.Source);
+    this->ByHand->JoinLinesOff();
   }
-  lines->SetSourceData(forms.Lines);
-  byHand->SetSourceData(forms.Curves.Source);
-  byHand->JoinLinesOff();
-}
+  void Run(Check& check, const std::string& what)
+  {
+    RunWithoutError(check, this->ByHand, what + ", by hand");
+    RunWithoutError(check, this->Lines, what);
+  }
+  void Compare(Check& check, int port, const std::string& what)
+  {
+    CompareData(check, OutputOf(this->Lines, port), OutputOf(this->ByHand, port), this->Ids, what);
+  }
+
+  const std::vector<vtkIdType>& Ids;
+  vtkNew<Filter> Lines;
+  vtkNew<Filter> ByHand;
+};
 
 /// Distances, ids, arc lengths, signs, angles and frames are those of the curves.
 inline void CompareFields(Check& check, vtkDataObject* surface, const TwoForms& forms,
   bool isRefined, const std::string& what)
 {
-  vtkNew<vtkGeodesicDistanceField> lines;
-  vtkNew<vtkGeodesicDistanceField> byHand;
-  SetInputs(lines.Get(), byHand.Get(), surface, forms);
-  for (vtkGeodesicDistanceField* filter : { lines.Get(), byHand.Get() })
-  {
-    filter->SetRefineMesh(isRefined);
-    filter->SetMaximumNumberOfCells(20000);
-    filter->GenerateSourceIdsOn();
-    filter->GenerateClosestPointsOn();
-    filter->GenerateSourceArcLengthOn();
-    filter->GenerateSourceAngleOn();
-    filter->GenerateSignedDistanceOn();
-  }
-  Messages ofByHand(byHand);
-  Messages ofLines(lines);
+  FilterPair<vtkGeodesicDistanceField> pair(surface, forms,
+    [&](vtkGeodesicDistanceField* filter)
+    {
+      filter->SetRefineMesh(isRefined);
+      filter->SetMaximumNumberOfCells(20000);
+      filter->GenerateSourceIdsOn();
+      filter->GenerateClosestPointsOn();
+      filter->GenerateSourceArcLengthOn();
+      filter->GenerateSourceAngleOn();
+      filter->GenerateSignedDistanceOn();
+    });
+  Messages ofByHand(pair.ByHand);
   ofByHand.Update();
   if (HasNoSides(ofByHand.Error()))
   {
-    lines->GenerateSignedDistanceOff();
-    byHand->GenerateSignedDistanceOff();
+    pair.Lines->GenerateSignedDistanceOff();
+    pair.ByHand->GenerateSignedDistanceOff();
     ofByHand.Update();
   }
-  ofLines.Update();
   check.That(ofByHand.Error().empty(), what + ", by hand: " + ofByHand.Error());
-  check.That(ofLines.Error().empty(), what + ": " + ofLines.Error());
-  CompareData(check, OutputOf(lines), OutputOf(byHand), forms.Curves.Ids, what + ": field");
-  CompareData(check, OutputOf(lines, 1), OutputOf(byHand, 1), forms.Curves.Ids, what + ": source");
-  vtkDataArray* frames = lines->GetOutputDataObject(0)->GetFieldData()->GetArray("SourceFrame");
-  vtkDataArray* wanted = byHand->GetOutputDataObject(0)->GetFieldData()->GetArray("SourceFrame");
-  for (std::size_t i = 0; wanted && i < forms.Curves.Ids.size(); ++i)
+  pair.Run(check, what);
+  pair.Compare(check, 0, what + ": field");
+  pair.Compare(check, 1, what + ": source");
+  const auto framesOf = [](vtkAlgorithm* filter)
+  { return filter->GetOutputDataObject(0)->GetFieldData()->GetArray("SourceFrame"); };
+  vtkDataArray* frames = framesOf(pair.Lines);
+  vtkDataArray* wanted = framesOf(pair.ByHand);
+  for (std::size_t i = 0; wanted && i < pair.Ids.size(); ++i)
   {
     for (int k = 0; k < 9; ++k)
     {
-      check.That(frames && forms.Curves.Ids[i] < frames->GetNumberOfTuples() &&
-          frames->GetComponent(forms.Curves.Ids[i], k) ==
+      check.That(frames && pair.Ids[i] < frames->GetNumberOfTuples() &&
+          frames->GetComponent(pair.Ids[i], k) ==
             wanted->GetComponent(static_cast<vtkIdType>(i), k),
-        what + ": frame of source " + std::to_string(forms.Curves.Ids[i]));
+        what + ": frame of source " + std::to_string(pair.Ids[i]));
     }
   }
 }
@@ -299,62 +298,43 @@ inline void CompareFields(Check& check, vtkDataObject* surface, const TwoForms& 
 inline void CompareContours(
   Check& check, vtkDataObject* surface, const TwoForms& forms, const std::string& what)
 {
-  vtkNew<vtkGeodesicContour> lines;
-  vtkNew<vtkGeodesicContour> byHand;
-  SetInputs(lines.Get(), byHand.Get(), surface, forms);
-  for (vtkGeodesicContour* filter : { lines.Get(), byHand.Get() })
-  {
-    filter->SetValue(0, 0.0);
-    filter->SetValue(1, 0.2);
-  }
-  Messages messages(lines);
-  Messages ofByHand(byHand);
-  messages.Update();
-  ofByHand.Update();
-  check.That(messages.Error().empty(), what + ": " + messages.Error());
-  CompareData(check, OutputOf(lines), OutputOf(byHand), forms.Curves.Ids, what + ": contour");
+  FilterPair<vtkGeodesicContour> pair(surface, forms,
+    [](vtkGeodesicContour* filter)
+    {
+      filter->SetValue(0, 0.0);
+      filter->SetValue(1, 0.2);
+    });
+  pair.Run(check, what);
+  pair.Compare(check, 0, what + ": contour");
 }
 
 inline void ComparePaths(Check& check, vtkDataObject* surface, const TwoForms& forms,
   vtkPolyData* targets, const std::string& what)
 {
-  vtkNew<vtkGeodesicPaths> lines;
-  vtkNew<vtkGeodesicPaths> byHand;
-  SetInputs(lines.Get(), byHand.Get(), surface, forms);
-  for (vtkGeodesicPaths* filter : { lines.Get(), byHand.Get() })
-  {
-    filter->SetTargetsData(targets);
-    filter->GenerateSourceArcLengthOn();
-  }
-  Messages messages(lines);
-  Messages ofByHand(byHand);
-  messages.Update();
-  ofByHand.Update();
-  check.That(messages.Error().empty(), what + ": " + messages.Error());
-  CompareData(check, OutputOf(lines), OutputOf(byHand), forms.Curves.Ids, what + ": paths");
+  FilterPair<vtkGeodesicPaths> pair(surface, forms,
+    [&](vtkGeodesicPaths* filter)
+    {
+      filter->SetTargetsData(targets);
+      filter->GenerateSourceArcLengthOn();
+    });
+  pair.Run(check, what);
+  pair.Compare(check, 0, what + ": paths");
 }
 
 inline void CompareMatrices(Check& check, vtkDataObject* surface, const TwoForms& forms,
   vtkPolyData* targets, const std::string& what)
 {
-  vtkNew<vtkGeodesicDistanceMatrix> lines;
-  vtkNew<vtkGeodesicDistanceMatrix> byHand;
-  SetInputs(lines.Get(), byHand.Get(), surface, forms);
-  lines->SetTargetsData(targets);
-  byHand->SetTargetsData(targets);
-  Messages messages(lines);
-  messages.Update();
-  byHand->Update();
-  check.That(messages.Error().empty(), what + ": " + messages.Error());
-  vtkTable* table = lines->GetOutput();
-  check.Equal(static_cast<double>(table->GetNumberOfColumns()),
-    static_cast<double>(forms.Curves.Ids.size() + 1), what + ": columns");
+  FilterPair<vtkGeodesicDistanceMatrix> pair(
+    surface, forms, [&](vtkGeodesicDistanceMatrix* filter) { filter->SetTargetsData(targets); });
+  pair.Run(check, what);
+  vtkTable* table = pair.Lines->GetOutput();
+  check.Equal(table->GetNumberOfColumns(), forms.Curves.Ids.size() + 1, what + ": columns");
   for (std::size_t i = 0; i < forms.Curves.Ids.size(); ++i)
   {
     const std::string name = "Source" + std::to_string(forms.Curves.Ids[i]);
     auto* column = vtkDataArray::SafeDownCast(table->GetColumnByName(name.c_str()));
     auto* wanted = vtkDataArray::SafeDownCast(
-      byHand->GetOutput()->GetColumnByName(("Source" + std::to_string(i)).c_str()));
+      pair.ByHand->GetOutput()->GetColumnByName(("Source" + std::to_string(i)).c_str()));
     check.That(column && wanted, what + ": a column " + name);
     for (vtkIdType row = 0; column && wanted && row < wanted->GetNumberOfTuples(); ++row)
     {
@@ -373,7 +353,6 @@ inline void CompareAll(Check& check, vtkPolyData* surface, vtkDataObject* lines,
   ComparePaths(check, surface, forms, surface, what);
   CompareMatrices(check, surface, forms, surface, what);
 }
-
 }
 
 #endif

@@ -90,10 +90,8 @@ inline double CheckFacesOfPaths(
     for (vtkIdType i = 0; i + 1 < ids->GetNumberOfIds(); ++i)
     {
       const vtkIdType cell = cells->GetValue(ids->GetId(i));
-      Point a;
-      Point b;
-      paths->GetPoint(ids->GetId(i), a.data());
-      paths->GetPoint(ids->GetId(i + 1), b.data());
+      const Point a = PointAt(paths, ids->GetId(i));
+      const Point b = PointAt(paths, ids->GetId(i + 1));
       double least = std::numeric_limits<double>::infinity(); // no such cell: no triangle
       for (const Corners& triangle : trianglesOf(cell))
       {

@@ -127,28 +127,18 @@ inline RandomBarriers MakeBarriersWithFlatFaces(
 inline vtkSmartPointer<vtkPolyData> SurfaceOf(
   const RandomBarriers& made, const std::vector<bool>& isWanted = {})
 {
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const geodesictest::Vec3& p : made.surface.points)
-  {
-    points->InsertNextPoint(p.data());
-  }
-  vtkNew<vtkCellArray> polys;
-  vtkNew<vtkIntArray> barriers;
-  barriers->SetName("barrier");
+  std::vector<geodesictest::Triangle> faces;
+  std::vector<int> barriers;
   for (std::size_t f = 0; f < made.surface.triangles.size(); ++f)
   {
     if (isWanted.empty() || isWanted[f])
     {
-      const geodesictest::Triangle& t = made.surface.triangles[f];
-      polys->InsertNextCell({ t[0], t[1], t[2] });
-      barriers->InsertNextValue(made.isBarrier[f] ? -3 : 0);
+      faces.push_back(made.surface.triangles[f]);
+      barriers.push_back(made.isBarrier[f] ? -3 : 0);
     }
   }
-  surface->SetPoints(points);
-  surface->SetPolys(polys);
-  surface->GetCellData()->AddArray(barriers);
+  auto surface = Mesh(made.surface.points, faces);
+  AddArray<vtkIntArray>(surface->GetCellData(), "barrier", barriers);
   return surface;
 }
 

@@ -15,6 +15,7 @@
 #include <functional>
 #include <map>
 #include <random>
+#include <set>
 
 /// Surfaces cut into pieces for tests under MPI.
 namespace GeodesicTesting
@@ -29,28 +30,11 @@ struct Ranks
   int Count;
 };
 
-inline Point Centre(vtkPolyData* surface, vtkIdType face)
-{
-  vtkNew<vtkIdList> ids;
-  surface->GetPolys()->GetCellAtId(face, ids);
-  Point sum{};
-  for (vtkIdType k = 0; k < 3; ++k)
-  {
-    Point p;
-    surface->GetPoint(ids->GetId(k), p.data());
-    for (std::size_t x = 0; x < 3; ++x)
-    {
-      sum[x] += p[x] / 3.0;
-    }
-  }
-  return sum;
-}
-
 /// Strips along the first axis of something as large as the unit square.
 inline Cut Strips(vtkPolyData* surface, int count)
 {
   return [surface, count](vtkIdType face)
-  { return std::clamp(static_cast<int>(Centre(surface, face)[0] * count), 0, count - 1); };
+  { return std::clamp(static_cast<int>(CentreOf(surface, face)[0] * count), 0, count - 1); };
 }
 
 inline Cut AtRandom(int count)
@@ -68,51 +52,9 @@ inline Cut BarriersApart(vtkPolyData* surface, int count)
 {
   return [surface, count](vtkIdType face)
   {
-    const bool isBarrier = surface->GetCellData()->GetArray("barrier")->GetTuple1(face) != 0.0;
+    const bool isBarrier = CellValue(surface, "barrier", face) != 0.0;
     return isBarrier ? count - 1 : AtRandom(std::max(1, count - 1))(face);
   };
-}
-
-/// Some faces of a surface with their arrays and the points that they use, which have global ids if
-/// that is asked for.
-inline vtkSmartPointer<vtkPolyData> Part(
-  vtkPolyData* surface, const std::vector<vtkIdType>& faces, bool hasGlobalIds = false)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataType(surface->GetPoints()->GetDataType());
-  vtkNew<vtkCellArray> polys;
-  vtkNew<vtkIdTypeArray> globalIds;
-  globalIds->SetName("GlobalPointIds");
-  std::map<vtkIdType, vtkIdType> numbers;
-  for (const vtkIdType face : faces)
-  {
-    vtkNew<vtkIdList> ids;
-    surface->GetPolys()->GetCellAtId(face, ids);
-    polys->InsertNextCell(3);
-    for (vtkIdType k = 0; k < 3; ++k)
-    {
-      const auto [at, isNew] = numbers.emplace(ids->GetId(k), points->GetNumberOfPoints());
-      if (isNew)
-      {
-        points->InsertNextPoint(surface->GetPoint(ids->GetId(k)));
-        globalIds->InsertNextValue(ids->GetId(k));
-      }
-      polys->InsertCellPoint(at->second);
-    }
-  }
-  auto part = vtkSmartPointer<vtkPolyData>::New();
-  part->SetPoints(points);
-  part->SetPolys(polys);
-  part->GetCellData()->CopyAllocate(surface->GetCellData());
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    part->GetCellData()->CopyData(surface->GetCellData(), faces[i], static_cast<vtkIdType>(i));
-  }
-  if (hasGlobalIds)
-  {
-    part->GetPointData()->SetGlobalIds(globalIds);
-  }
-  return part;
 }
 
 inline std::vector<vtkIdType> FacesOf(vtkPolyData* surface, const Cut& cut, int rank)
@@ -128,19 +70,29 @@ inline std::vector<vtkIdType> FacesOf(vtkPolyData* surface, const Cut& cut, int 
   return faces;
 }
 
+/// What a rank has of a surface.
+inline vtkSmartPointer<vtkPolyData> PieceOf(
+  vtkPolyData* surface, const Cut& cut, int rank, bool hasGlobalIds = false)
+{
+  return Part(surface, FacesOf(surface, cut, rank), hasGlobalIds);
+}
+
+inline vtkSmartPointer<vtkPolyData> PieceAtRandom(
+  vtkPolyData* surface, Ranks ranks, bool hasGlobalIds = false)
+{
+  return PieceOf(surface, AtRandom(ranks.Count), ranks.Rank, hasGlobalIds);
+}
+
 /// Some faces of a surface, of which those after the first few are copies of other ranks'; a ghost
 /// array marks them.
 inline vtkSmartPointer<vtkPolyData> PartWithGhosts(vtkPolyData* surface,
   const std::vector<vtkIdType>& faces, std::size_t own, bool hasGlobalIds = false)
 {
   auto part = Part(surface, faces, hasGlobalIds);
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    ghosts->InsertNextValue(i < own ? 0 : vtkDataSetAttributes::DUPLICATECELL);
-  }
-  part->GetCellData()->AddArray(ghosts);
+  AddArrayOf<vtkUnsignedCharArray>(part->GetCellData(), vtkDataSetAttributes::GhostArrayName(),
+    part->GetNumberOfCells(),
+    [own](vtkIdType i)
+    { return i < static_cast<vtkIdType>(own) ? 0 : vtkDataSetAttributes::DUPLICATECELL; });
   return part;
 }
 
@@ -150,26 +102,17 @@ inline vtkSmartPointer<vtkPolyData> PartWithGhosts(
 {
   std::vector<vtkIdType> faces = FacesOf(surface, cut, rank);
   const std::size_t own = faces.size();
-  std::vector<char> isOwnPoint(static_cast<std::size_t>(surface->GetNumberOfPoints()), 0);
-  const auto corners = [&](vtkIdType face)
-  {
-    vtkNew<vtkIdList> ids;
-    surface->GetPolys()->GetCellAtId(face, ids);
-    return std::array<std::size_t, 3>{ static_cast<std::size_t>(ids->GetId(0)),
-      static_cast<std::size_t>(ids->GetId(1)), static_cast<std::size_t>(ids->GetId(2)) };
-  };
+  std::set<vtkIdType> ownPoints;
   for (const vtkIdType face : faces)
   {
-    for (const std::size_t point : corners(face))
-    {
-      isOwnPoint[point] = 1;
-    }
+    const std::vector<vtkIdType> ids = IdsOf(surface->GetPolys(), face);
+    ownPoints.insert(ids.begin(), ids.end());
   }
   for (vtkIdType face = 0; face < surface->GetNumberOfPolys(); ++face)
   {
-    const auto ids = corners(face);
+    const std::vector<vtkIdType> ids = IdsOf(surface->GetPolys(), face);
     if (cut(face) != rank &&
-      std::any_of(ids.begin(), ids.end(), [&](std::size_t id) { return isOwnPoint[id] != 0; }))
+      std::any_of(ids.begin(), ids.end(), [&](vtkIdType id) { return ownPoints.count(id) > 0; }))
     {
       faces.push_back(face);
     }
@@ -183,20 +126,49 @@ inline Cut InSpace(vtkPolyData* surface, int count)
   std::vector<Point> middles;
   for (int i = 0; i < count; ++i)
   {
-    middles.push_back(Centre(surface, (2 * i + 1) * surface->GetNumberOfPolys() / (2 * count)));
+    middles.push_back(CentreOf(surface, (2 * i + 1) * surface->GetNumberOfPolys() / (2 * count)));
   }
   return [surface, middles](vtkIdType face)
   {
-    const Point centre = Centre(surface, face);
+    const Point centre = CentreOf(surface, face);
     const auto squared = [&centre](const Point& p)
-    {
-      return (p[0] - centre[0]) * (p[0] - centre[0]) + (p[1] - centre[1]) * (p[1] - centre[1]) +
-        (p[2] - centre[2]) * (p[2] - centre[2]);
-    };
+    { return Dot(Minus(p, centre), Minus(p, centre)); };
     const auto nearest = std::min_element(middles.begin(), middles.end(),
       [&](const Point& a, const Point& b) { return squared(a) < squared(b); });
     return static_cast<int>(nearest - middles.begin());
   };
+}
+
+/// The named ways to cut a surface.
+inline std::vector<std::pair<std::string, Cut>> Cuts(
+  vtkPolyData* surface, Ranks ranks, const std::vector<std::string>& names)
+{
+  const int count = ranks.Count;
+  const std::map<std::string, Cut> all = {
+    { "in strips", Strips(surface, count) },
+    { "in space", InSpace(surface, count) },
+    { "at random", AtRandom(count) },
+    { "with nothing on the last rank", AtRandom(std::max(1, count - 1)) },
+    { "with nothing on the first rank",
+      [count](vtkIdType face) { return count == 1 ? 0 : 1 + AtRandom(count - 1)(face); } },
+    { "all on the last rank", [count](vtkIdType) { return count - 1; } },
+    { "barriers on a rank of their own", BarriersApart(surface, count) },
+  };
+  std::vector<std::pair<std::string, Cut>> cuts;
+  for (const std::string& name : names)
+  {
+    cuts.emplace_back(name, all.at(name));
+  }
+  return cuts;
+}
+
+/// Of all ranks.
+inline double Sum(double own)
+{
+  double all = 0.0;
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    &own, &all, 1, vtkCommunicator::SUM_OP);
+  return all;
 }
 
 /// What is asked of the filter.
@@ -231,6 +203,11 @@ inline std::vector<Question> Questions()
   return { point, points, curve, loop, boundary, both, limited, approximate };
 }
 
+inline bool HasBarriers(vtkPolyData* surface)
+{
+  return surface->GetCellData()->HasArray("barrier") != 0;
+}
+
 /// Asks for the distance and all arrays beside it. A surface may have barriers.
 inline void Ask(
   vtkGeodesicDistanceField* filter, const Question& question, bool hasBarriers = false)
@@ -251,36 +228,14 @@ inline void Ask(
   filter->SetGenerateTextureCoordinates(question.HasSides);
 }
 
-inline bool HasBarriers(vtkPolyData* surface)
+/// A filter with a rank's piece.
+inline vtkSmartPointer<vtkGeodesicDistanceField> Asked(
+  vtkDataObject* piece, const Question& question, bool hasBarriers = false)
 {
-  return surface->GetCellData()->HasArray("barrier") != 0;
-}
-
-/// The length of each line of a data set, and of all.
-inline double LengthOf(vtkPolyData* data, vtkIdList* line)
-{
-  double length = 0.0;
-  for (vtkIdType i = 1; i < line->GetNumberOfIds(); ++i)
-  {
-    Point a;
-    Point b;
-    data->GetPoint(line->GetId(i - 1), a.data());
-    data->GetPoint(line->GetId(i), b.data());
-    length += DistanceToSegment(a, b, b);
-  }
-  return length;
-}
-
-inline double TotalLength(vtkPolyData* data)
-{
-  double length = 0.0;
-  for (vtkIdType i = 0; i < data->GetNumberOfLines(); ++i)
-  {
-    vtkNew<vtkIdList> ids;
-    data->GetLines()->GetCellAtId(i, ids);
-    length += LengthOf(data, ids);
-  }
-  return length;
+  auto filter = vtkSmartPointer<vtkGeodesicDistanceField>::New();
+  filter->SetInputDataObject(0, piece);
+  Ask(filter, question, hasBarriers);
+  return filter;
 }
 
 /// What one process finds on a surface, by place.
@@ -297,8 +252,7 @@ public:
     this->Warning = messages.Warning();
     for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
     {
-      Point p;
-      surface->GetPoint(i, p.data());
+      const Point p = PointAt(surface, i);
       this->NumberAt[p] = i;
       const double distance = this->DistanceAt(p);
       this->Largest = std::isfinite(distance) ? std::max(this->Largest, distance) : this->Largest;
@@ -332,8 +286,7 @@ inline void CompareArrays(Check& check, vtkPolyData* output, const Whole& whole,
     double worst = 0.0;
     for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
     {
-      Point p;
-      output->GetPoint(i, p.data());
+      const Point p = PointAt(output, i);
       const auto at = whole.NumberAt.find(p);
       check.That(at != whole.NumberAt.end(), what + ": a point that the surface does not have");
       for (int k = 0; at != whole.NumberAt.end() && k < actual->GetNumberOfComponents(); ++k)
@@ -361,9 +314,7 @@ inline void Compare(Check& check, vtkDataObject* piece, vtkPolyData* surface,
 {
   const std::string what = name + ", " + question.Name;
   const Whole whole(surface, question);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputDataObject(piece);
-  Ask(filter, question, HasBarriers(surface));
+  const auto filter = Asked(piece, question, HasBarriers(surface));
   Messages messages(filter);
   messages.Update();
   check.That(messages.Error().empty() && (messages.Warning().empty() || !whole.Warning.empty()),
@@ -383,28 +334,18 @@ inline void Compare(Check& check, vtkDataObject* piece, vtkPolyData* surface,
         arrays.end(), { { "SourceArcLength", 1e-12 }, { "SourceTextureCoordinates", 1e-11 } });
     }
   }
-  if (auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0)))
+  for (vtkPolyData* output : LeavesOf(filter->GetOutputDataObject(0)))
   {
-    auto* input = vtkPolyData::SafeDownCast(piece);
-    check.That(output->GetNumberOfPoints() == input->GetNumberOfPoints() &&
-        output->GetNumberOfPolys() == input->GetNumberOfPolys(),
-      what + ": the output is the rank's own piece");
     CompareArrays(check, output, whole, arrays, what);
   }
-  else
+  if (auto* input = vtkPolyData::SafeDownCast(piece))
   {
-    auto* blocks = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
-    {
-      CompareArrays(check, vtkPolyData::SafeDownCast(blocks->GetBlock(i)), whole, arrays, what);
-    }
+    check.That(filter->GetOutput()->GetNumberOfPoints() == input->GetNumberOfPoints() &&
+        filter->GetOutput()->GetNumberOfPolys() == input->GetNumberOfPolys(),
+      what + ": the output is the rank's own piece");
   }
   const auto near = [&](double actual, double expected, double tolerance, const std::string& of)
-  {
-    check.That(std::abs(actual - expected) <= tolerance,
-      what + ": " + of + " is " + std::to_string(actual) + " instead of " +
-        std::to_string(expected));
-  };
+  { check.Near(actual, expected, tolerance, what + ": " + of); };
   near(filter->GetSourceSnapDistance(), whole.Filter->GetSourceSnapDistance(), 1e-12,
     "the source's distance from the surface");
   near(filter->GetSourceLength(), whole.Filter->GetSourceLength(), 1e-12 * whole.Largest,

@@ -10,16 +10,6 @@ namespace
 
 const std::vector<Point> Line = { { 0.1, 0.2, 0 }, { 0.7, 0.35, 0 }, { 0.65, 0.9, 0 } };
 
-std::vector<double> Values(vtkGeodesicDistanceField* filter)
-{
-  std::vector<double> values;
-  for (vtkIdType i = 0; i < Distances(filter)->GetNumberOfTuples(); ++i)
-  {
-    values.push_back(Distances(filter)->GetTuple1(i));
-  }
-  return values;
-}
-
 /// A sphere whose radius changes, of many saddles.
 vtkSmartPointer<vtkPolyData> Bumpy()
 {
@@ -27,36 +17,34 @@ vtkSmartPointer<vtkPolyData> Bumpy()
     [](const Point& p)
     {
       const double scale = 1.0 + 0.2 * std::sin(14.0 * p[0]) * std::cos(11.0 * p[1] + 9.0 * p[2]);
-      return Point{ scale * p[0], scale * p[1], scale * p[2] };
+      return ScaledBy(scale)(p);
     });
 }
 
 void CheckRelativeErrors(Check& check)
 {
   auto surface = Bumpy();
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(surface);
-  filter->SetSourceData(Polyline({ { 0.4, 0.1, 0.2 }, { 0.1, 0.4, 0.3 }, { -0.3, 0.3, 0.1 } }));
+  const auto filter =
+    PlainField(surface, Polyline({ { 0.4, 0.1, 0.2 }, { 0.1, 0.4, 0.3 }, { -0.3, 0.3, 0.1 } }));
   Messages messages(filter);
   messages.Update();
-  const std::vector<double> exact = Values(filter);
+  const std::vector<double> exact = NumbersOf(Distances(filter));
   const double windows = filter->GetWindowsPropagatedPerEdge();
   check.Equal(filter->GetRelativeErrorBound(), 0.0, "the bound of the exact field");
   check.That(windows > 3.0, "the exact field takes many windows");
 
   filter->SetRelativeError(0.1);
   messages.Update();
-  check.That(Values(filter) == exact, "the relative error changes nothing in exact mode");
+  check.That(
+    NumbersOf(Distances(filter)) == exact, "the relative error changes nothing in exact mode");
 
   filter->SetAccuracyToApproximate();
   for (const double epsilon : { 0.0, 1e-4, 1e-3, 1e-2, 1e-1, 10.0 })
   {
     const std::string name = "relative error " + std::to_string(epsilon);
     filter->SetRelativeError(epsilon);
-    messages.Update();
-    check.That(messages.Error().empty(), name + ": " + messages.Error());
-    const std::vector<double> values = Values(filter);
+    messages.ExpectNoError(check, name);
+    const std::vector<double> values = NumbersOf(Distances(filter));
     double measured = 0.0;
     double above = 0.0;
     for (std::size_t i = 0; i < exact.size(); ++i)
@@ -81,9 +69,7 @@ void CheckRelativeErrors(Check& check)
 void CheckBoundsAddUp(Check& check)
 {
   const Distance truth = DistanceTo(Line);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(8));
-  filter->SetSourceData(Polyline(Line));
+  const auto filter = RefinedField(Square(8), Polyline(Line));
   filter->SetAccuracyToApproximate();
   filter->SetRelativeError(0.001);
   filter->Update();
@@ -96,21 +82,13 @@ void CheckBoundsAddUp(Check& check)
   check.That(interpolation <= 1e-3 * std::sqrt(2.0), "its interpolation bound");
   for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
   {
-    vtkNew<vtkIdList> ids;
-    output->GetPolys()->GetCellAtId(cell, ids);
-    Point middle = { 0, 0, 0 };
+    const Point middle = CentreOf(output, cell);
     double value = 0.0;
-    for (vtkIdType k = 0; k < 3; ++k)
+    for (const vtkIdType id : IdsOf(output->GetPolys(), cell))
     {
-      Point p;
-      output->GetPoint(ids->GetId(k), p.data());
-      value += Distances(filter)->GetTuple1(ids->GetId(k)) / 3.0;
-      for (std::size_t j = 0; j < 3; ++j)
-      {
-        middle[j] += p[j] / 3.0;
-      }
+      value += Distances(filter)->GetTuple1(id) / 3.0;
     }
-    check.That(std::abs(value - truth(middle)) <= relative * truth(middle) + interpolation + 1e-9,
+    check.Near(value, truth(middle), relative * truth(middle) + interpolation + 1e-9,
       "both bounds together hold in the middle of triangles");
   }
 }
@@ -119,9 +97,7 @@ void CheckBoundsAddUp(Check& check)
 /// warning.
 void CheckCoarseFieldWithFineTolerance(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(8));
-  filter->SetSourceData(Polyline(Line));
+  const auto filter = RefinedField(Square(8), Polyline(Line));
   filter->SetAccuracyToApproximate();
   filter->SetRelativeError(0.1);
   Messages messages(filter);
@@ -137,9 +113,7 @@ const std::vector<Point> OnBumpy = { { 0.4, 0.1, 0.2 }, { 0.1, 0.4, 0.3 } };
 /// Gradients are those of the computed field, whether or not other arrays need the exact one.
 void CheckGradients(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Bumpy());
-  filter->SetSourceData(Polyline(OnBumpy));
+  const auto filter = RefinedField(Bumpy(), Polyline(OnBumpy));
   filter->SetAccuracyToApproximate();
   filter->SetRelativeError(0.1);
   filter->SetRefinementTolerance(0.005);
@@ -147,13 +121,7 @@ void CheckGradients(Check& check)
   const auto gradients = [&filter]
   {
     filter->Update();
-    vtkDataArray* array = filter->GetOutput()->GetPointData()->GetArray("DistanceGradient");
-    std::vector<double> values(static_cast<std::size_t>(3 * array->GetNumberOfTuples()));
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-    {
-      array->GetTuple(i, values.data() + 3 * i);
-    }
-    return values;
+    return NumbersOf(filter->GetOutput()->GetPointData()->GetArray("DistanceGradient"));
   };
   const std::vector<double> alone = gradients();
   check.That(alone.size() > 3 * static_cast<std::size_t>(Bumpy()->GetNumberOfPoints()),
@@ -165,9 +133,7 @@ void CheckGradients(Check& check)
 /// All reached points have a source, also where the exact distance is over the limit.
 void CheckLimit(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Bumpy());
-  filter->SetSourceData(Polyline(OnBumpy));
+  const auto filter = RefinedField(Bumpy(), Polyline(OnBumpy));
   filter->SetAccuracyToApproximate();
   filter->SetRelativeError(0.1);
   filter->GenerateSourceIdsOn();
@@ -185,7 +151,7 @@ void CheckLimit(Check& check)
         const bool isReached = std::isfinite(Distances(filter)->GetTuple1(point));
         without += isReached && ids->GetTuple1(point) < 0.0 ? 1 : 0;
       }
-      check.Equal(static_cast<double>(without), 0.0,
+      check.Equal(without, 0.0,
         "limit " + std::to_string(filter->GetMaximumDistance()) +
           ": reached points without source");
     }

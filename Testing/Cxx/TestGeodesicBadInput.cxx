@@ -34,42 +34,8 @@ vtkSmartPointer<vtkPolyData> WithFace(vtkSmartPointer<vtkPolyData> data, vtkIdTy
 
 vtkSmartPointer<vtkPolyData> WithLine(vtkSmartPointer<vtkPolyData> data, vtkIdType badId)
 {
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell({ 0, badId });
-  data->SetLines(lines);
+  data->SetLines(CellArray({ { 0, badId } }));
   return data;
-}
-
-/// Two squares side by side that share nothing.
-vtkSmartPointer<vtkPolyData> TwoSquares()
-{
-  auto surface = Square(2);
-  vtkPoints* points = surface->GetPoints();
-  const vtkIdType half = points->GetNumberOfPoints();
-  const vtkIdType faces = surface->GetNumberOfPolys();
-  for (vtkIdType i = 0; i < half; ++i)
-  {
-    double p[3];
-    points->GetPoint(i, p);
-    points->InsertNextPoint(p[0] + 3.0, p[1], p[2]);
-  }
-  for (vtkIdType f = 0; f < faces; ++f)
-  {
-    vtkNew<vtkIdList> ids;
-    surface->GetPolys()->GetCellAtId(f, ids);
-    surface->GetPolys()->InsertNextCell(
-      { ids->GetId(0) + half, ids->GetId(1) + half, ids->GetId(2) + half });
-  }
-  return surface;
-}
-
-vtkSmartPointer<vtkPolyData> DegenerateFace()
-{
-  auto surface = PointSources({ { 0, 0, 0 }, { 1, 0, 0 } });
-  vtkNew<vtkCellArray> polys;
-  polys->InsertNextCell({ 0, 0, 1 });
-  surface->SetPolys(polys);
-  return surface;
 }
 
 std::vector<Case> Cases()
@@ -80,15 +46,16 @@ std::vector<Case> Cases()
   const int both = vtkGeodesicDistanceField::CURVE_AND_BOUNDARY;
   const auto corner = PointSources({ { 0, 0, 0 } });
   const auto nothing = vtkSmartPointer<vtkPolyData>::New();
+  const auto degenerate = Mesh({ { 0, 0, 0 }, { 1, 0, 0 } }, { { 0, 0, 1 } });
+  auto twoSquares = Square(2);
+  Append(twoSquares, Moved(Square(2), MovedBy(3.0)));
   auto emptyLine = PointSources({ { 0, 0, 0 } });
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(0);
-  emptyLine->SetLines(lines);
+  emptyLine->SetLines(CellArray({ {} }));
 
   return {
     { "an empty surface", nothing, corner, { "port 0", "no faces", "Connect" } },
     { "a surface of points only", OnlyPoints(Square(2)), corner, { "port 0", "no faces" } },
-    { "a surface whose only face is a,a,b", DegenerateFace(), corner,
+    { "a surface whose only face is a,a,b", degenerate, corner,
       { "port 0", "three different corners" } },
     { "a face that names a missing point", WithFace(Square(2), 99), corner,
       { "port 0", "Cell 8", "point 99", "9 points" } },
@@ -113,8 +80,8 @@ std::vector<Case> Cases()
       { "port 1", "infinite", "point 0" } },
     { "a curve that names a missing point", Square(2), WithLine(PointSources({ { 0, 0, 0 } }), 5),
       { "port 1", "Cell 0", "point 5" } },
-    { "a curve between two components", TwoSquares(),
-      Polyline({ { 0.5, 0.5, 0 }, { 3.5, 0.5, 0 } }), { "component", "cell 0 of the source" } },
+    { "a curve between two components", twoSquares, Polyline({ { 0.5, 0.5, 0 }, { 3.5, 0.5, 0 } }),
+      { "component", "cell 0 of the source" } },
   };
 }
 
@@ -125,20 +92,13 @@ void CheckCase(Check& check, const Case& bad)
   Run(check, filter, messages, bad);
   check.That(!messages.Error().empty(), bad.Name + " gives an error");
   CheckWords(check, bad, messages.Error());
-  for (int port = 0; port < 2; ++port)
-  {
-    auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port));
-    check.That(output->GetNumberOfPoints() == 0 && output->GetNumberOfCells() == 0 &&
-        output->GetPointData()->GetNumberOfArrays() == 0,
-      bad.Name + " leaves output port " + std::to_string(port) + " empty");
-  }
+  CheckOutputsEmpty(check, filter, bad.Name);
 
   // The same filter works again once the input is right.
   filter->SetInputData(Square(4));
   filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
   filter->SetSourceType(vtkGeodesicDistanceField::SOURCE_CURVE);
-  messages.Update();
-  check.That(messages.Error().empty(), "no error after " + bad.Name);
+  messages.ExpectNoError(check, "no error after " + bad.Name);
   CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "after " + bad.Name);
 }
 
@@ -155,17 +115,14 @@ void CheckNoSurface(Check& check)
 
 void CheckEmptyName(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(2));
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  const auto filter = RefinedField(Square(2), PointSources({ { 0, 0, 0 } }));
   Messages messages(filter);
   for (const char* name : { "", static_cast<const char*>(nullptr) })
   {
     filter->SetDistanceArrayName(name);
     filter->Modified();
-    messages.Update();
-    check.That(Contains(messages.Error(), "DistanceArrayName is empty"), "an empty array name");
-    check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfPoints()), 0.0,
+    messages.ExpectError(check, { "DistanceArrayName is empty" }, "an empty array name");
+    check.Equal(filter->GetOutput()->GetNumberOfPoints(), 0.0,
       "points of the output with an empty array name");
   }
 }
@@ -173,9 +130,7 @@ void CheckEmptyName(Check& check)
 /// Only what is used can be wrong.
 void CheckWrongNumbers(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(2));
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  const auto filter = RefinedField(Square(2), PointSources({ { 0, 0, 0 } }));
   Messages messages(filter);
   const auto expect = [&](const std::string& words, const std::string& what)
   {
@@ -229,9 +184,7 @@ void CheckWrongNumbers(Check& check)
 /// Whatever an execution throws is an error of the filter; the next execution is right.
 void CheckForeignExceptions(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(8));
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  const auto filter = RefinedField(Square(8), PointSources({ { 0, 0, 0 } }));
   Messages messages(filter);
   int kind = 0;
   Listener listener(filter, vtkCommand::ProgressEvent,
@@ -264,8 +217,7 @@ void CheckForeignExceptions(Check& check)
     check.That(which == 2 || Contains(messages.Error(), "of an observer"), name + ": what it says");
     CheckOutputsEmpty(check, filter, name);
     filter->Modified();
-    messages.Update();
-    check.That(messages.Error().empty(), "no error after " + name);
+    messages.ExpectNoError(check, "no error after " + name);
     CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "after " + name);
   }
 }
@@ -280,9 +232,7 @@ void CheckManyBadPointsAreCounted(Check& check)
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetInputData(surface);
   filter->SetSourceType(vtkGeodesicDistanceField::SURFACE_BOUNDARY);
-  Messages messages(filter);
-  messages.Update();
-  check.That(Contains(messages.Error(), "point 0, 2, 4, 6, 8 and 4 more"),
+  Messages(filter).ExpectError(check, { "point 0, 2, 4, 6, 8 and 4 more" },
     "many NaN points: the first are named, the others counted");
 }
 

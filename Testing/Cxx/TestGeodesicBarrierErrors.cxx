@@ -50,9 +50,7 @@ vtkSmartPointer<vtkPolyData> WithValues(double value, vtkIdType first, vtkIdType
 /// With a line, which has no value.
 vtkSmartPointer<vtkPolyData> WithLine(vtkSmartPointer<vtkPolyData> surface)
 {
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell({ 0, 1 });
-  surface->SetLines(lines);
+  surface->SetLines(CellArray({ { 0, 1 } }));
   return surface;
 }
 
@@ -141,16 +139,12 @@ void CheckRim(Check& check)
   for (const int type : { VTK_FLOAT, VTK_DOUBLE })
   {
     const double rounding = type == VTK_FLOAT ? 1e-8 : 1e-17;
-    vtkNew<vtkGeodesicDistanceField> filter;
+    const auto filter = PlainField(WithBarriers(Square(8, Cells::Triangles, type), IsInside),
+      PointSources({ { 0.25, 0.25, 0 }, { 0.25 + rounding, 0.3, 0 }, { 0.75 - rounding, 0.6, 0 },
+                     { 0.25, 0.7, 0.25 } },
+        type));
     filter->SetBarrierArrayName("barrier");
-    filter->RefineMeshOff();
-    filter->SetInputData(WithBarriers(Square(8, Cells::Triangles, type), IsInside));
-    filter->SetSourceData(PointSources({ { 0.25, 0.25, 0 }, { 0.25 + rounding, 0.3, 0 },
-                                         { 0.75 - rounding, 0.6, 0 }, { 0.25, 0.7, 0.25 } },
-      type));
-    Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty(), "sources on a rim: " + messages.Error());
+    RunWithoutError(check, filter, "sources on a rim");
   }
 }
 
@@ -159,18 +153,14 @@ void CheckBlocks(Check& check)
 {
   const auto right = [](const Point& p) { return p[0] > 0.5; };
   const auto left = [](const Point& p) { return p[0] < 0.5; };
-  vtkNew<vtkGeodesicDistanceField> filter;
+  const auto filter =
+    RefinedField(Blocks({ Part(Square(8), left), WithBarriers(Part(Square(8), right), IsInside) }),
+      PointSources({ { 0.6, 0.5, 0 } }));
   filter->SetBarrierArrayName("barrier");
-  filter->SetInputDataObject(
-    0, Blocks({ Part(Square(8), left), WithBarriers(Part(Square(8), right), IsInside) }));
-  filter->SetSourceData(PointSources({ { 0.6, 0.5, 0 } }));
   Messages messages(filter);
-  messages.Update();
-  check.That(Contains(messages.Error(), "of block 2 of the surface"),
-    "a source in a barrier of a block: " + messages.Error());
+  messages.ExpectError(check, { "of block 2 of the surface" }, "a source in a barrier of a block");
   filter->SetSourceData(PointSources({ { 0.4, 0.5, 0 } }));
-  messages.Update();
-  check.That(messages.Error().empty(), "a block without barriers: " + messages.Error());
+  messages.ExpectNoError(check, "a block without barriers");
 }
 
 }

@@ -32,8 +32,8 @@ void CheckPaths(Check& check)
     RunWithBarriers(check, filter, SquareWithWall(16), PointSources({ Source }), "paths");
   check.That(
     Contains(warning, "2 targets not reached"), "targets in a barrier are counted: " + warning);
-  auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
-  check.Equal(static_cast<double>(output->GetNumberOfLines()), 5.0, "paths");
+  auto* output = OutputOf(filter);
+  check.Equal(output->GetNumberOfLines(), 5.0, "paths");
   vtkIdType line = 0;
   for (std::size_t i = 0; i < Targets.size(); ++i)
   {
@@ -41,11 +41,9 @@ void CheckPaths(Check& check)
     {
       continue;
     }
-    check.Equal(output->GetCellData()->GetArray("TargetId")->GetTuple1(line),
-      static_cast<double>(i), "the target of a path");
-    const double length = output->GetCellData()->GetArray("GeodesicDistance")->GetTuple1(line);
-    check.That(std::abs(length - AroundWall(Source)(Targets[i])) < 1e-12,
-      "the length of a path around a wall: " + std::to_string(length));
+    check.Equal(CellValue(output, "TargetId", line), i, "the target of a path");
+    const double length = CellValue(output, "GeodesicDistance", line);
+    check.Near(length, AroundWall(Source)(Targets[i]), 1e-12, "the length of a path around a wall");
     const std::vector<Point> points = CornersOf(output, output->GetNumberOfVerts() + line);
     for (std::size_t k = 1; k < points.size(); ++k)
     {
@@ -62,12 +60,11 @@ void CheckMatrix(Check& check)
   RunWithBarriers(
     check, filter, SquareWithWall(16), PointSources({ Source, { 0.8, 0.3, 0 } }), "a matrix");
   vtkTable* table = filter->GetOutput();
-  check.Equal(
-    static_cast<double>(table->GetNumberOfRows()), static_cast<double>(Targets.size()), "rows");
+  check.Equal(table->GetNumberOfRows(), Targets.size(), "rows");
   for (std::size_t i = 0; i < Targets.size(); ++i)
   {
     const auto row = static_cast<vtkIdType>(i);
-    check.Equal(table->GetValueByName(row, "TargetId").ToDouble(), static_cast<double>(i), "row");
+    check.Equal(table->GetValueByName(row, "TargetId").ToDouble(), i, "row");
     const double value = table->GetValueByName(row, "Source0").ToDouble();
     const double truth = AroundWall(Source)(Targets[i]);
     check.That(IsInBarrier(i) ? std::isinf(value) : std::abs(value - truth) < 1e-12,
@@ -82,13 +79,12 @@ void CheckContour(Check& check)
   vtkNew<vtkGeodesicContour> filter;
   filter->GenerateValues(8, 0.2, 1.2);
   RunWithBarriers(check, filter, SquareWithWall(16), PointSources({ Source }), "isolines");
-  auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+  auto* output = OutputOf(filter);
   check.That(output->GetNumberOfLines() >= 8, "there are lines");
   vtkDataArray* values = output->GetPointData()->GetArray("GeodesicDistance");
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
-    Point p;
-    output->GetPoint(i, p.data());
+    const Point p = PointAt(output, i);
     // Rounding may put a point of the rim a little inside.
     const bool isInside =
       IsInWall(p) && std::min({ p[0] - WallBegin, WallEnd - p[0], WallTop - p[1] }) > 1e-12;

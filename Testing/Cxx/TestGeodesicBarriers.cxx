@@ -31,8 +31,8 @@ double CompareWithBruteForce(Check& check, const geodesictest::MeshKind& kind, s
   {
     return 0.0;
   }
-  check.Equal(static_cast<double>(one.filter->GetOutput()->GetNumberOfCells()),
-    static_cast<double>(one.made.whole.triangles.size()), one.name + ": cells");
+  check.Equal(one.filter->GetOutput()->GetNumberOfCells(), one.made.whole.triangles.size(),
+    one.name + ": cells");
   const std::vector<double> truth =
     geodesictest::bruteForceDistances(one.made.open, one.sources).vertices;
   double worst = 0.0;
@@ -50,24 +50,14 @@ double CompareWithBruteForce(Check& check, const geodesictest::MeshKind& kind, s
 geodesictest::Barycentric WeightsIn(const PlainMesh& mesh, Index face, const Point& p)
 {
   const geodesictest::Triangle& t = mesh.triangles[face];
-  Point u;
-  Point v;
-  Point w;
-  vtkMath::Subtract(mesh.points[t[1]].data(), mesh.points[t[0]].data(), u.data());
-  vtkMath::Subtract(mesh.points[t[2]].data(), mesh.points[t[0]].data(), v.data());
-  vtkMath::Subtract(p.data(), mesh.points[t[0]].data(), w.data());
-  const auto cross = [](const Point& a, const Point& b)
-  {
-    Point result;
-    vtkMath::Cross(a.data(), b.data(), result.data());
-    return result;
-  };
-  const Point normal = cross(u, v);
-  const auto along = [&normal](const Point& a)
-  { return vtkMath::Dot(a.data(), normal.data()) / vtkMath::Dot(normal.data(), normal.data()); };
+  const Point u = Minus(mesh.points[t[1]], mesh.points[t[0]]);
+  const Point v = Minus(mesh.points[t[2]], mesh.points[t[0]]);
+  const Point w = Minus(p, mesh.points[t[0]]);
+  const Point normal = Cross(u, v);
+  const auto along = [&normal](const Point& a) { return Dot(a, normal) / Dot(normal, normal); };
   // Clamped, as new points on edges are off by rounding.
-  const double second = std::clamp(along(cross(w, v)), 0.0, 1.0);
-  const double third = std::clamp(along(cross(u, w)), 0.0, 1.0 - second);
+  const double second = std::clamp(along(Cross(w, v)), 0.0, 1.0);
+  const double third = std::clamp(along(Cross(u, w)), 0.0, 1.0 - second);
   return { 1.0 - second - third, second, third };
 }
 
@@ -110,8 +100,7 @@ void CheckRefinedRandom(Check& check, const geodesictest::MeshKind& kind, std::u
         inBarriers.insert(id);
         continue;
       }
-      Point p;
-      output->GetPoint(id, p.data());
+      const Point p = PointAt(output, id);
       places[id] = { openFaces[face], WeightsIn(one.made.open, openFaces[face], p) };
     }
   }
@@ -163,24 +152,6 @@ void CheckRandomMeshes(Check& check)
   }
 }
 
-/// Distances at all points are the truth's, infinity included.
-void CheckTruth(Check& check, vtkPolyData* output, const Distance& truth, const std::string& what)
-{
-  double worst = 0.0;
-  bool areInfinite = true;
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    Point p;
-    output->GetPoint(i, p.data());
-    const double expected = truth(p);
-    const double actual = output->GetPointData()->GetArray("GeodesicDistance")->GetTuple1(i);
-    areInfinite = areInfinite && std::isinf(expected) == std::isinf(actual);
-    worst = std::isinf(expected) ? worst : std::max(worst, std::abs(actual - expected));
-  }
-  check.That(areInfinite, what + ": points inside barriers, and no others, are not reached");
-  check.That(worst <= 1e-12, what + ": wrong by " + std::to_string(worst));
-}
-
 const Point Source{ 0.125, 0.1875, 0 };
 
 void CheckWall(Check& check)
@@ -203,8 +174,7 @@ void CheckWall(Check& check)
       CheckTruth(check, output, truth, what);
       if (!refine)
       {
-        check.Equal(
-          static_cast<double>(output->GetNumberOfCells()), 512.0, "cells of a square with a wall");
+        check.Equal(output->GetNumberOfCells(), 512.0, "cells of a square with a wall");
         continue;
       }
       check.That(CountBarrierParts(output, IsInWall) > 48, "the rim of a barrier is split");
@@ -235,19 +205,15 @@ void CheckArrays(Check& check)
     const auto array = [&](const char* name) { return output->GetPointData()->GetArray(name); };
     for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
     {
-      Point p;
-      Point closest;
-      Point gradient;
-      output->GetPoint(i, p.data());
-      array("ClosestSourcePoint")->GetTuple(i, closest.data());
-      array("DistanceGradient")->GetTuple(i, gradient.data());
+      const Point p = PointAt(output, i);
+      const Point closest = TupleAt(array("ClosestSourcePoint"), i);
+      const Point gradient = TupleAt(array("DistanceGradient"), i);
       const bool isReached = !IsInWall(p);
       const bool isSource = p == Source;
       check.Equal(array("SourceId")->GetTuple1(i), isReached ? 0.0 : -1.0, "the source's id");
       check.That(
         Length(closest, isReached ? Source : p) < 1e-14, "the closest point of the source");
-      check.That(std::abs(std::hypot(gradient[0], gradient[1]) -
-                   (isReached && !isSource ? 1.0 : 0.0)) < 1e-12,
+      check.Near(std::hypot(gradient[0], gradient[1]), (isReached && !isSource ? 1.0 : 0.0), 1e-12,
         "the gradient's length");
       check.Equal(array("SignedGeodesicDistance")->GetTuple1(i),
         array("GeodesicDistance")->GetTuple1(i), "the sign of an isolated point");
@@ -268,11 +234,10 @@ void CheckBlocks(Check& check)
     auto left = Part(Square(16), isLeft); // without the array
     auto right = WithBarriers(Part(Square(16), isRight), IsInWall);
     RunWithBarriers(check, filter, Blocks({ left, right }), PointSources({ Source }), "blocks");
-    std::vector<vtkPolyData*> outputs;
-    for (const unsigned int i : { 0u, 1u })
+    const auto outputs = LeavesOf(filter->GetOutputDataObject(0));
+    for (std::size_t i = 0; i < 2; ++i)
     {
-      outputs.push_back(Block(filter, i));
-      CheckTruth(check, outputs.back(), AroundWall(Source), "block " + std::to_string(i));
+      CheckTruth(check, outputs.at(i), AroundWall(Source), "block " + std::to_string(i));
     }
     check.Equal(CountHangingPoints(outputs), 0.0, "hanging points in blocks");
     check.That(!refine || CountBarrierParts(outputs[1], IsInWall) > 48,
@@ -305,8 +270,8 @@ void CheckGhostsWithin(Check& check, vtkIdType most)
       WithGhosts(WithBarriers(Part(Square(16), [](const Point& p) { return p[0] > 0.4375; }), none),
         isBefore) }));
   // The second block's own half of the wall is open there, and its copies are not marked.
-  const auto trianglesOf = [&](vtkGeodesicDistanceField* filter, unsigned int block, double begin,
-                             double end) { return TrianglesIn(Block(filter, block), begin, end); };
+  const auto trianglesOf = [](vtkAlgorithm* filter, unsigned int block, double begin, double end)
+  { return TrianglesIn(Block(filter, block), begin, end); };
   check.That(trianglesOf(ghosted, 1, 0.4375, seam) == trianglesOf(ghosted, 0, 0.4375, seam),
     "copies of a barrier look like it");
   check.That(trianglesOf(ghosted, 0, seam, 0.6875) == trianglesOf(ghosted, 1, seam, 0.6875),
@@ -381,11 +346,9 @@ void CheckDuplicates(Check& check)
       check.That(parts > 1, "the duplicate is refined");
     }
     const vtkIdType expected = what[0] == 'o' ? 1 : parts;
-    check.Equal(static_cast<double>(count[0]), static_cast<double>(parts), "the face's parts");
-    check.Equal(static_cast<double>(count[duplicate]), static_cast<double>(expected),
-      "the duplicate's parts");
-    check.Equal(static_cast<double>(cells), static_cast<double>(most - parts + expected),
-      std::string(what) + ": cells that are no copies");
+    check.Equal(count[0], parts, "the face's parts");
+    check.Equal(count[duplicate], expected, "the duplicate's parts");
+    check.Equal(cells, most - parts + expected, std::string(what) + ": cells that are no copies");
   }
 }
 
@@ -401,9 +364,7 @@ void CheckBoundary(Check& check)
       RunWithBarriers(check, filter, WithBarriers(Square(8), isBarrier), nullptr, what);
     check.That(warning.empty(), what + ": " + warning);
     CheckTruth(check, filter->GetOutput(), truth, what);
-    vtkDataArray* ids = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1))
-                          ->GetCellData()
-                          ->GetArray("SourceId");
+    vtkDataArray* ids = OutputOf(filter, 1)->GetCellData()->GetArray("SourceId");
     for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
     {
       check.Equal(ids->GetTuple1(i), 0.0, what + ": the loop's number");
@@ -430,19 +391,10 @@ void CheckCurveIsJoinedAround(Check& check)
   RunWithBarriers(check, filter, SquareWithWall(16),
     Polyline({ { 0.4, 0.7, 0 }, { WallBegin, 0.7, 0 }, { 0.7, 0.7, 0 } }),
     "a curve through a wall");
-  auto* curve = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
-  double length = 0.0;
-  for (vtkIdType i = 1; i < curve->GetNumberOfPoints(); ++i)
-  {
-    Point a;
-    Point b;
-    curve->GetPoint(i - 1, a.data());
-    curve->GetPoint(i, b.data());
-    length += Length(a, b);
-  }
+  auto* curve = OutputOf(filter, 1);
+  const double length = TotalLength(curve);
   const double around = 0.1 + 0.05 + (WallEnd - WallBegin) + std::hypot(0.7 - WallEnd, 0.05);
-  check.That(std::abs(length - around) < 1e-12,
-    "points on both sides of a wall are joined around it: " + std::to_string(length));
+  check.Near(length, around, 1e-12, "points on both sides of a wall are joined around it");
 }
 
 /// The cap is of all cells, those of barriers too.
@@ -467,10 +419,7 @@ void CheckNone(Check& check)
 {
   auto surface = SquareWithWall(16);
   surface->GetCellData()->SetActiveScalars("barrier");
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  const auto filter = PlainField(surface, PointSources({ { 0, 0, 0 } }));
   check.That(!filter->GetBarrierArrayName(), "no barriers by default");
   for (const char* name : { static_cast<const char*>(nullptr), "", "None" })
   {
@@ -497,10 +446,7 @@ void CheckType(Check& check)
     array->SetComponent(i, 0, values->GetComponent(i, 0));
   }
   surface->GetCellData()->AddArray(array);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ Source }));
+  const auto filter = PlainField(surface, PointSources({ Source }));
   filter->SetBarrierArrayName("other");
   filter->Update();
   CheckTruth(check, filter->GetOutput(), AroundWall(Source), array->GetClassName());
@@ -518,11 +464,6 @@ void CheckValuesOfFaces(Check& check)
 {
   auto surface = SquareWithWall(16);
   vtkSmartPointer<vtkDataArray> ofFaces = surface->GetCellData()->GetArray("barrier");
-  vtkNew<vtkCellArray> vertices;
-  vertices->InsertNextCell({ 0 });
-  vertices->InsertNextCell({ 1, 2 });
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell({ 0, 1, 2 });
   vtkNew<vtkCellArray> strips;
   surface->GetPoints()->InsertNextPoint(1.0625, 0, 0);
   for (int j = 0; j < 16; ++j)
@@ -534,8 +475,8 @@ void CheckValuesOfFaces(Check& check)
   }
   const auto truth = [around = AroundWall(Source)](const Point& p)
   { return p[0] > 1.0 && p[1] < 0.25 ? std::numeric_limits<double>::infinity() : around(p); };
-  surface->SetVerts(vertices);
-  surface->SetLines(lines);
+  surface->SetVerts(CellArray({ { 0 }, { 1, 2 } }));
+  surface->SetLines(CellArray({ { 0, 1, 2 } }));
   surface->SetStrips(strips);
   vtkNew<vtkIntArray> ofCells;
   ofCells->SetName("barrier of cells");
@@ -553,14 +494,10 @@ void CheckValuesOfFaces(Check& check)
       auto input = vtkSmartPointer<vtkPolyData>::New();
       input->ShallowCopy(surface);
       input->GetCellData()->RemoveArray(isOfFaces ? "barrier of cells" : "barrier");
-      vtkNew<vtkGeodesicDistanceField> filter;
+      const auto filter = RefinedField(input, PointSources({ Source }));
       filter->SetRefineMesh(isRefined);
-      filter->SetInputData(input);
-      filter->SetSourceData(PointSources({ Source }));
       filter->SetBarrierArrayName(name);
-      Messages messages(filter);
-      messages.Update();
-      check.That(messages.Error().empty(), what + ": " + messages.Error());
+      RunWithoutError(check, filter, what);
       check.That(
         input->GetCellData()->GetArray("barrier") == (isOfFaces ? ofFaces.Get() : nullptr) &&
           ofFaces->GetNumberOfTuples() == 528,
@@ -592,19 +529,10 @@ void CheckCache(Check& check)
   other->SetNumberOfTuples(surface->GetNumberOfCells());
   other->Fill(0);
   surface->GetCellData()->AddArray(other);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
-  Messages messages(filter);
+  const auto filter = PlainField(surface, PointSources({ { 0, 0, 0 } }));
   BuildWatch builds(filter);
   const auto expect = [&](bool built, const std::string& what)
-  {
-    messages.Update();
-    check.That(messages.Error().empty(), what + ": " + messages.Error());
-    check.That(builds.Count() == (built ? 1 : 0),
-      "the structure is " + std::string(built ? "" : "not ") + "built " + what);
-  };
+  { builds.Expect(check, built, what); };
   expect(true, "the first time");
   other->SetValue(3, 1.0);
   surface->Modified();

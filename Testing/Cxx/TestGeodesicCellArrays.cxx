@@ -128,15 +128,10 @@ void CheckTargets(Check& check)
 {
   const auto targets = PointSources({ { 1, 1, 0 }, { 0.5, 0, 0 } });
   SetCells(targets, Lines, CellsOf({ { 0, 9, 2 }, { 0, 1 } }, true));
-  vtkNew<vtkGeodesicPaths> paths;
-  paths->SetInputData(Square(2));
-  paths->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  const auto paths = FilterOn<vtkGeodesicPaths>(Square(2), PointSources({ { 0, 0, 0 } }));
   paths->SetTargetsData(targets);
-  Messages messages(paths);
-  messages.Update();
-  check.That(messages.Error().empty(), "broken cells of targets: " + messages.Error());
-  check.Equal(static_cast<double>(paths->GetOutput()->GetNumberOfLines()), 2.0,
-    "paths of targets with broken cells");
+  RunWithoutError(check, paths, "broken cells of targets");
+  check.Equal(paths->GetOutput()->GetNumberOfLines(), 2.0, "paths of targets with broken cells");
 }
 
 /// A source of lines, vertices and a triangle, as a grid.
@@ -160,15 +155,9 @@ void CheckGrids(Check& check)
   const auto expect = [&](const std::vector<int>& types, const Arrays& cells,
                         const std::vector<std::string>& words, const std::string& name)
   {
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(Square(2));
-    filter->SetSourceData(Grid(types, CellsOf(cells, true), points->GetPoints()));
-    Messages messages(filter);
-    messages.Update();
-    for (const std::string& word : words)
-    {
-      check.That(Contains(messages.Error(), word), name + ": " + messages.Error());
-    }
+    const auto filter =
+      RefinedField(Square(2), Grid(types, CellsOf(cells, true), points->GetPoints()));
+    Messages(filter).ExpectError(check, words, name);
     CheckOutputsEmpty(check, filter, name);
   };
   const std::vector<int> lines = { VTK_LINE, VTK_LINE };
@@ -292,21 +281,16 @@ struct Outcome
 
 Outcome Execute(vtkPolyData* surface, vtkPolyData* source)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(source);
-  filter->RefineMeshOff();
+  const auto filter = PlainField(surface, source);
   filter->GenerateSourceIdsOn();
   Messages messages(filter);
   messages.Update();
   Outcome outcome = { messages.Error(), {} };
   for (const char* name : { "GeodesicDistance", "SourceId" })
   {
-    vtkDataArray* array = filter->GetOutput()->GetPointData()->GetArray(name);
-    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
-    {
-      outcome.Values.push_back(array->GetTuple1(i));
-    }
+    const std::vector<double> values =
+      NumbersOf(filter->GetOutput()->GetPointData()->GetArray(name));
+    outcome.Values.insert(outcome.Values.end(), values.begin(), values.end());
   }
   return outcome;
 }
@@ -337,12 +321,7 @@ void CheckRandomArrays(Check& check, unsigned seed)
     check.That(isLeftOut || !outcome.Error.empty(), what + "an error of what cannot be read");
     return;
   }
-  vtkNew<vtkCellArray> plain;
-  for (const std::vector<vtkIdType>& cell : cells)
-  {
-    plain->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
-  }
-  SetCells(copy, kind, plain);
+  SetCells(copy, kind, CellArray(cells));
   const Outcome expected = execute(copy);
   check.That(outcome.Error.empty() == expected.Error.empty() && outcome.Values == expected.Values,
     what + "as of the same cells in arrays of their own");

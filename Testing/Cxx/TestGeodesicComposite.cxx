@@ -20,61 +20,16 @@ using namespace GeodesicTesting;
 namespace
 {
 
-using Change = GeodesicTesting::Change;
-
-vtkSmartPointer<vtkPolyData> Moved(vtkSmartPointer<vtkPolyData> data, const Change& change)
-{
-  MovePoints(data, change);
-  return data;
-}
-
-Change Shift(double x, double y = 0.0)
-{
-  return [x, y](const Point& p) { return Point{ p[0] + x, p[1] + y, p[2] }; };
-}
-
-std::vector<vtkPolyData*> Leaves(vtkDataObject* data)
-{
-  std::vector<vtkPolyData*> leaves;
-  if (auto* one = vtkPolyData::SafeDownCast(data))
-  {
-    return { one };
-  }
-  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
-  if (!composite)
-  {
-    return leaves;
-  }
-  const auto iterator = vtk::TakeSmartPointer(composite->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    leaves.push_back(vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()));
-  }
-  return leaves;
-}
-
 /// Checks the distances in all blocks against the truth, within a fraction of the largest.
 void CheckBlocks(Check& check, vtkDataObject* output, std::size_t expectedBlocks,
   const Distance& truth, const std::string& what, double tolerance = 1e-12)
 {
-  const std::vector<vtkPolyData*> blocks = Leaves(output);
-  check.Equal(static_cast<double>(blocks.size()), static_cast<double>(expectedBlocks),
-    what + ": blocks with data");
-  double worst = 0.0;
+  const std::vector<vtkPolyData*> blocks = LeavesOf(output);
+  check.Equal(blocks.size(), expectedBlocks, what + ": blocks with data");
   for (vtkPolyData* block : blocks)
   {
-    vtkDataArray* distances = block->GetPointData()->GetArray("GeodesicDistance");
-    check.That(distances && distances->GetNumberOfTuples() == block->GetNumberOfPoints(),
-      what + ": a distance at every point of a block");
-    for (vtkIdType i = 0; distances && i < block->GetNumberOfPoints(); ++i)
-    {
-      Point p;
-      block->GetPoint(i, p.data());
-      const double error = std::abs(distances->GetTuple1(i) - truth(p));
-      worst = error <= worst ? worst : error;
-    }
+    CheckTruth(check, block, truth, what, tolerance);
   }
-  check.That(worst <= tolerance, what + ": wrong by " + std::to_string(worst));
 }
 
 const std::vector<Point> Line = { { 0.2, 0.3, 0 }, { 0.4, 0.7, 0 } };
@@ -86,21 +41,16 @@ void CheckGradients(
 {
   constexpr double step = 1e-3;
   double worst = 0.0;
-  for (vtkPolyData* block : Leaves(output))
+  for (vtkPolyData* block : LeavesOf(output))
   {
     vtkDataArray* gradients = block->GetPointData()->GetArray("DistanceGradient");
     for (vtkIdType i = 0; gradients && i < block->GetNumberOfPoints(); ++i)
     {
-      Point p;
-      Point gradient;
-      block->GetPoint(i, p.data());
-      gradients->GetTuple(i, gradient.data());
+      const Point p = PointAt(block, i);
+      const Point gradient = TupleAt(gradients, i);
       const double distance = truth(p);
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        p[k] -= step * gradient[k];
-      }
-      worst = std::max(worst, distance > step ? std::abs(truth(p) - (distance - step)) : 0.0);
+      const Point nearer = Minus(p, ScaledBy(step)(gradient));
+      worst = std::max(worst, distance > step ? std::abs(truth(nearer) - (distance - step)) : 0.0);
     }
     check.That(gradients != nullptr || block->GetNumberOfPoints() == 0, what + ": gradients");
   }
@@ -123,13 +73,10 @@ void CheckMultiBlock(Check& check, bool refine)
 {
   const std::string name = refine ? "refined blocks" : "blocks";
   auto first = Square(8);
-  vtkNew<vtkDoubleArray> title;
-  title->SetName("Title");
-  title->InsertNextValue(7.0);
-  first->GetFieldData()->AddArray(title);
+  AddArray<vtkDoubleArray>(first->GetFieldData(), "Title", { 7.0 });
   vtkNew<vtkDoubleArray> numbers;
   numbers->SetName("Number");
-  auto second = Moved(Square(8, Cells::Quads), Shift(1.0));
+  auto second = Moved(Square(8, Cells::Quads), MovedBy(1.0));
   for (vtkIdType i = 0; i < second->GetNumberOfCells(); ++i)
   {
     numbers->InsertNextValue(100.0 + static_cast<double>(i));
@@ -137,14 +84,10 @@ void CheckMultiBlock(Check& check, bool refine)
   second->GetCellData()->AddArray(numbers);
   const auto surface = TwoSquares(first, second);
 
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputDataObject(0, surface);
-  filter->SetSourceData(Polyline(Line));
+  const auto filter = RefinedField(surface, Polyline(Line));
   filter->SetRefineMesh(refine);
   filter->GenerateGradientsOn();
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), name + ": " + messages.Error());
+  RunWithoutError(check, filter, name);
   auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
   if (!output)
   {
@@ -188,14 +131,11 @@ void CheckWarningsCountAllBlocks(Check& check)
     data->GetPolys()->InsertNextCell({ 0, 1, 1 });
     return data;
   };
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputDataObject(
-    0, TwoSquares(withFlatFace(Square(2)), withFlatFace(Moved(Square(2), Shift(1.0)))));
-  filter->SetSourceData(Polyline(Line));
-  Messages messages(filter);
-  messages.Update();
-  check.That(Contains(messages.Warning(), "2 faces with two corners"),
-    "warnings count all blocks: " + messages.Warning());
+  const auto filter =
+    RefinedField(TwoSquares(withFlatFace(Square(2)), withFlatFace(Moved(Square(2), MovedBy(1.0)))),
+      Polyline(Line));
+  Messages(filter).ExpectWarning(
+    check, { "2 faces with two corners" }, "warnings count all blocks");
 }
 
 /// The points at x = 1 of a block, with their distances.
@@ -216,13 +156,13 @@ std::set<std::array<double, 4>> SeamOf(vtkPolyData* block, double x, double tole
 
 void CheckRefinedSeams(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputDataObject(0, TwoSquares(Square(4), Moved(Square(4, Cells::Quads), Shift(1.0))));
-  filter->SetSourceData(PointSources({ { 0.9, 0.4, 0 } }));
+  const auto filter =
+    RefinedField(TwoSquares(Square(4), Moved(Square(4, Cells::Quads), MovedBy(1.0))),
+      PointSources({ { 0.9, 0.4, 0 } }));
   filter->SetRefinementTolerance(0.0002);
   Messages messages(filter);
   messages.Update();
-  const auto leaves = Leaves(filter->GetOutputDataObject(0));
+  const auto leaves = LeavesOf(filter->GetOutputDataObject(0));
   const auto left = SeamOf(leaves.at(0), 1.0, 0.0);
   check.That(left.size() > 10, "the seam is refined");
   check.That(left == SeamOf(leaves.at(1), 1.0, 0.0),
@@ -230,20 +170,12 @@ void CheckRefinedSeams(Check& check)
   for (vtkPolyData* block : { leaves[0], leaves[1] })
   {
     double area = 0.0;
-    vtkNew<vtkIdList> ids;
     for (vtkIdType cell = 0; cell < block->GetNumberOfPolys(); ++cell)
     {
-      block->GetPolys()->GetCellAtId(cell, ids);
-      std::array<Point, 3> c;
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        block->GetPoint(ids->GetId(static_cast<vtkIdType>(k)), c[k].data());
-      }
-      area += 0.5 *
-        std::abs(
-          (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[1][1] - c[0][1]) * (c[2][0] - c[0][0]));
+      const std::vector<Point> c = CornersOf(block, cell);
+      area += 0.5 * std::abs(Cross(Minus(c[1], c[0]), Minus(c[2], c[0]))[2]);
     }
-    check.That(std::abs(area - 1.0) < 1e-12, "the triangles of a block cover it once");
+    check.Near(area, 1.0, 1e-12, "the triangles of a block cover it once");
   }
 }
 
@@ -262,22 +194,17 @@ void CheckKinds(Check& check)
 {
   const auto squares = []
   {
-    return std::vector<vtkSmartPointer<vtkPolyData>>{ Square(4), Moved(Square(4), Shift(1.0)),
-      Moved(Square(4), Shift(0.0, 1.0)) };
+    return std::vector<vtkSmartPointer<vtkPolyData>>{ Square(4), Moved(Square(4), MovedBy(1.0)),
+      Moved(Square(4), MovedBy(0.0, 1.0)) };
   };
   vtkNew<vtkPartitionedDataSetCollection> collection;
   collection->SetPartitionedDataSet(0, Partitions({ squares()[0], nullptr }));
   collection->SetPartitionedDataSet(1, Partitions({ squares()[1], squares()[2] }));
   collection->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "others");
-  vtkNew<vtkMultiBlockDataSet> inner;
-  inner->SetBlock(0, squares()[1]);
-  vtkNew<vtkMultiBlockDataSet> innermost;
-  innermost->SetBlock(0, squares()[2]);
+  const auto inner = Blocks({ squares()[1] });
+  const auto innermost = Blocks({ squares()[2] });
   inner->SetBlock(1, innermost);
-  vtkNew<vtkMultiBlockDataSet> nested;
-  nested->SetBlock(0, squares()[0]);
-  nested->SetBlock(1, inner);
-  nested->SetBlock(2, vtkNew<vtkMultiBlockDataSet>());
+  const auto nested = Blocks({ squares()[0], inner, vtkNew<vtkMultiBlockDataSet>() });
 
   const std::vector<std::pair<std::string, vtkSmartPointer<vtkDataObject>>> kinds = {
     { "a partitioned data set", Partitions(squares()) },
@@ -290,8 +217,7 @@ void CheckKinds(Check& check)
   for (const auto& [name, surface] : kinds)
   {
     filter->SetInputDataObject(0, surface);
-    messages.Update();
-    check.That(messages.Error().empty(), name + ": " + messages.Error());
+    messages.ExpectNoError(check, name);
     vtkDataObject* output = filter->GetOutputDataObject(0);
     check.That(std::string(output->GetClassName()) == surface->GetClassName(),
       name + ": the output is a " + output->GetClassName());
@@ -308,23 +234,16 @@ void CheckKinds(Check& check)
 
 void CheckCompositeSource(Check& check)
 {
-  vtkNew<vtkMultiBlockDataSet> inner;
-  inner->SetBlock(0, nullptr);
-  inner->SetBlock(1, Polyline({ { 0.7, 0.1, 0 }, { 0.8, 0.2, 0 } }, false, VTK_FLOAT));
-  vtkNew<vtkMultiBlockDataSet> source;
-  source->SetBlock(0, Polyline(Line));
-  source->SetBlock(1, vtkNew<vtkPolyData>());
-  source->SetBlock(2, inner);
-  source->SetBlock(3, PointSources({ { 0.5, 0.9, 0 } }));
+  const auto inner =
+    Blocks({ nullptr, Polyline({ { 0.7, 0.1, 0 }, { 0.8, 0.2, 0 } }, false, VTK_FLOAT) });
+  const auto source =
+    Blocks({ Polyline(Line), vtkNew<vtkPolyData>(), inner, PointSources({ { 0.5, 0.9, 0 } }) });
   const Distance truth = [](const Point& p)
   {
     return std::min({ DistanceTo(Line)(p), DistanceTo({ { 0.7, 0.1, 0 }, { 0.8, 0.2, 0 } })(p),
       DistanceTo({ { 0.5, 0.9, 0 } })(p) });
   };
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(Square(8));
-  filter->SetSourceData(source);
+  const auto filter = PlainField(Square(8), source);
   Messages messages(filter);
   messages.Update();
   check.That(filter->GetOutput() && filter->GetOutput()->GetNumberOfPoints() == 81,
@@ -334,7 +253,7 @@ void CheckCompositeSource(Check& check)
   check.That(curves && curves->GetNumberOfLines() == 2 && curves->GetNumberOfVerts() == 1,
     "all blocks of the source are on output port 1");
 
-  filter->SetInputDataObject(0, TwoSquares(Square(4), Moved(Square(4), Shift(1.0))));
+  filter->SetInputDataObject(0, TwoSquares(Square(4), Moved(Square(4), MovedBy(1.0))));
   messages.Update();
   CheckBlocks(check, filter->GetOutputDataObject(0), 3, truth, "both composite", 1e-6);
 }
@@ -365,7 +284,7 @@ void CheckSeamsWithinRoundings(Check& check, int dataType)
   messages.Update();
   CheckBlocks(check, filter->GetOutputDataObject(0), 3, DistanceTo({ source }),
     name + " that meet within roundings", dataType == VTK_FLOAT ? 2e-4 : 1e-11);
-  const auto leaves = Leaves(filter->GetOutputDataObject(0));
+  const auto leaves = LeavesOf(filter->GetOutputDataObject(0));
   const auto left = SeamOf(leaves.at(0), 100.0, 0.0);
   const auto right = SeamOf(leaves.at(1), 100.0, 0.0);
   check.That(left.size() > 8 && right.size() + 5 == left.size(),
@@ -376,7 +295,7 @@ void CheckSeamsWithinRoundings(Check& check, int dataType)
   const auto isReached = [&]()
   {
     vtkDataArray* distances =
-      Leaves(filter->GetOutputDataObject(0)).at(1)->GetPointData()->GetArray("GeodesicDistance");
+      LeavesOf(filter->GetOutputDataObject(0)).at(1)->GetPointData()->GetArray("GeodesicDistance");
     return std::isfinite(distances->GetTuple1(0));
   };
   check.That(isReached(), name + ": the second is reached");
@@ -396,23 +315,20 @@ void CheckCrackInOneBlock(Check& check)
   vtkPoints* points = cracked->GetPoints();
   for (vtkIdType i = 3; i < 6; ++i)
   {
-    double p[3];
-    points->GetPoint(i, p);
+    const Point p = PointAt(points, i);
     points->SetPoint(i, p[0] * (1.0 + 2.3e-16), p[1] * (1.0 + 2.3e-16), 1e-16);
   }
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputDataObject(0, TwoSquares(cracked, Moved(Square(1), Shift(5.0))));
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  const auto filter =
+    PlainField(TwoSquares(cracked, Moved(Square(1), MovedBy(5.0))), PointSources({ { 0, 0, 0 } }));
   Messages messages(filter);
   messages.Update();
   vtkIdType reached = 0;
-  vtkPolyData* block = Leaves(filter->GetOutputDataObject(0)).at(0);
+  vtkPolyData* block = LeavesOf(filter->GetOutputDataObject(0)).at(0);
   for (vtkIdType i = 0; i < 6; ++i)
   {
-    reached += std::isfinite(block->GetPointData()->GetArray("GeodesicDistance")->GetTuple1(i));
+    reached += std::isfinite(PointValue(block, "GeodesicDistance", i));
   }
-  check.Equal(static_cast<double>(reached), 6.0, "points reached of a block with a crack");
+  check.Equal(reached, 6.0, "points reached of a block with a crack");
 }
 
 void CheckErrors(Check& check)
@@ -424,15 +340,10 @@ void CheckErrors(Check& check)
   {
     filter->SetInputDataObject(0, surface);
     filter->SetSourceData(source);
-    messages.Update();
-    for (const std::string& word : words)
+    messages.ExpectError(check, words, name);
+    for (vtkPolyData* leaf : LeavesOf(filter->GetOutputDataObject(0)))
     {
-      check.That(
-        Contains(messages.Error(), word), name + " says \"" + word + "\": " + messages.Error());
-    }
-    for (vtkPolyData* leaf : Leaves(filter->GetOutputDataObject(0)))
-    {
-      check.Equal(static_cast<double>(leaf->GetNumberOfPoints()), 0.0, name + ": no points");
+      check.Equal(leaf->GetNumberOfPoints(), 0.0, name + ": no points");
     }
   };
   const auto square = Square(2);
@@ -472,7 +383,7 @@ void CheckErrors(Check& check)
   collection->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "fluid");
   expect(collection, corner, { "(fluid) of the surface" }, "a grid in a collection");
 
-  filter->SetInputDataObject(0, TwoSquares(Square(2), Moved(Square(2), Shift(1.0))));
+  filter->SetInputDataObject(0, TwoSquares(Square(2), Moved(Square(2), MovedBy(1.0))));
   messages.Update();
   CheckBlocks(
     check, filter->GetOutputDataObject(0), 3, DistanceTo({ { 0, 0, 0 } }), "after an error");
@@ -484,42 +395,34 @@ void CheckBlockOfLines(Check& check)
   for (const bool refine : { false, true })
   {
     auto lines = Polyline({ { 3, 0, 0 }, { 4, 0, 0 } });
-    vtkNew<vtkDoubleArray> numbers;
-    numbers->SetName("Number");
-    numbers->InsertNextValue(1.0);
-    lines->GetCellData()->AddArray(numbers);
-    vtkNew<vtkGeodesicDistanceField> filter;
+    AddArray<vtkDoubleArray>(lines->GetCellData(), "Number", { 1.0 });
+    const auto filter = RefinedField(TwoSquares(Square(2), lines), PointSources({ { 0, 0, 0 } }));
     filter->SetRefineMesh(refine);
-    filter->SetInputDataObject(0, TwoSquares(Square(2), lines));
-    filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
     Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty(), "a block of lines: " + messages.Error());
-    vtkPolyData* block = Leaves(filter->GetOutputDataObject(0)).at(1);
+    messages.ExpectNoError(check, "a block of lines");
+    vtkPolyData* block = LeavesOf(filter->GetOutputDataObject(0)).at(1);
     vtkDataArray* handed = block->GetCellData()->GetArray("Number");
     check.That(block->GetNumberOfPoints() == 2 && block->GetNumberOfCells() == 0 &&
         (!handed || handed->GetNumberOfTuples() == 0),
       "a block of lines keeps its points and has no cells");
-    check.That(std::isinf(block->GetPointData()->GetArray("GeodesicDistance")->GetTuple1(0)),
-      "its points are infinitely far");
+    check.That(
+      std::isinf(PointValue(block, "GeodesicDistance", 0)), "its points are infinitely far");
     // Executing again takes the structure that was kept.
     filter->SetSourceData(PointSources({ { 1, 0, 0 } }));
     messages.Update();
-    check.Equal(
-      static_cast<double>(Leaves(filter->GetOutputDataObject(0)).at(1)->GetNumberOfCells()), 0.0,
+    check.Equal(LeavesOf(filter->GetOutputDataObject(0)).at(1)->GetNumberOfCells(), 0.0,
       "cells of a block of lines, again");
   }
 }
 
 void CheckPieces(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputDataObject(0, TwoSquares(Square(2), Moved(Square(2), Shift(1.0))));
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  const auto filter = RefinedField(
+    TwoSquares(Square(2), Moved(Square(2), MovedBy(1.0))), PointSources({ { 0, 0, 0 } }));
   filter->UpdatePiece(1, 2, 0);
-  for (vtkPolyData* leaf : Leaves(filter->GetOutputDataObject(0)))
+  for (vtkPolyData* leaf : LeavesOf(filter->GetOutputDataObject(0)))
   {
-    check.Equal(static_cast<double>(leaf->GetNumberOfPoints()), 0.0, "points of the second piece");
+    check.Equal(leaf->GetNumberOfPoints(), 0.0, "points of the second piece");
   }
   filter->UpdatePiece(0, 2, 0);
   CheckBlocks(

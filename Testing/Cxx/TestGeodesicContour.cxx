@@ -40,24 +40,15 @@ std::vector<Line> LinesOf(Check& check, vtkPolyData* output)
     return lines;
   }
   check.That(atCells->GetDataType() == VTK_DOUBLE, "values are doubles");
-  vtkNew<vtkIdList> ids;
   for (vtkIdType i = 0; i < output->GetNumberOfLines(); ++i)
   {
-    output->GetLines()->GetCellAtId(i, ids);
     Line line;
+    line.Points = IdsOf(output->GetLines(), i);
     line.Value = atCells->GetTuple1(output->GetNumberOfVerts() + i);
-    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    line.Length = LengthOf(output, i);
+    for (const vtkIdType id : line.Points)
     {
-      line.Points.push_back(ids->GetId(k));
-      check.That(atPoints->GetTuple1(ids->GetId(k)) == line.Value, "a point has its line's value");
-      if (k > 0)
-      {
-        Point a;
-        Point b;
-        output->GetPoint(ids->GetId(k - 1), a.data());
-        output->GetPoint(ids->GetId(k), b.data());
-        line.Length += DistanceToSegment(a, b, b);
-      }
+      check.That(atPoints->GetTuple1(id) == line.Value, "a point has its line's value");
     }
     lines.push_back(line);
   }
@@ -76,20 +67,6 @@ void SetUp(vtkGeodesicContour* filter, vtkPolyData* surface, vtkPolyData* source
   }
 }
 
-void CheckPointsAtValues(
-  Check& check, vtkPolyData* output, const Distance& truth, const std::string& what)
-{
-  double worst = 0.0;
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    Point p;
-    output->GetPoint(i, p.data());
-    worst = std::max(worst,
-      std::abs(truth(p) - output->GetPointData()->GetArray("GeodesicDistance")->GetTuple1(i)));
-  }
-  check.That(worst <= 1e-12, what + ": points are wrong by " + std::to_string(worst));
-}
-
 void CheckCircles(Check& check)
 {
   vtkNew<vtkGeodesicContour> filter;
@@ -99,7 +76,7 @@ void CheckCircles(Check& check)
   filter->Update();
   vtkPolyData* output = filter->GetOutput();
   const std::vector<Line> lines = LinesOf(check, output);
-  check.Equal(static_cast<double>(lines.size()), 3, "lines of three values within the square");
+  check.Equal(lines.size(), 3, "lines of three values within the square");
   const double tolerance = 0.0001 * std::sqrt(2.0);
   const std::vector<double> values = { 0.1, 0.25, 0.4 };
   for (std::size_t i = 0; i < lines.size() && i < values.size(); ++i)
@@ -113,15 +90,13 @@ void CheckCircles(Check& check)
     check.That(output->GetPointData()->GetScalars() && output->GetCellData()->GetScalars(),
       "the value is the active scalars");
     // The distance grows to the left: round the centre with the clock.
-    Point a;
-    Point b;
-    output->GetPoint(lines[i].Points[0], a.data());
-    output->GetPoint(lines[i].Points[1], b.data());
+    const Point a = PointAt(output, lines[i].Points[0]);
+    const Point b = PointAt(output, lines[i].Points[1]);
     check.That(
       (a[0] - center[0]) * (b[1] - center[1]) - (a[1] - center[1]) * (b[0] - center[0]) < 0,
       "the distance grows to the left");
   }
-  CheckPointsAtValues(check, output, DistanceTo({ center }), "circles");
+  CheckTruth(check, output, DistanceTo({ center }), "circles");
   filter->SetChordTolerance(0.01);
   filter->Update();
   const vtkIdType coarse = filter->GetOutput()->GetNumberOfPoints();
@@ -135,9 +110,9 @@ void CheckCircles(Check& check)
 void CheckValues(Check& check)
 {
   vtkNew<vtkGeodesicContour> filter;
-  check.Equal(static_cast<double>(filter->GetNumberOfContours()), 0, "no value by default");
+  check.Equal(filter->GetNumberOfContours(), 0, "no value by default");
   filter->GenerateValues(5, 0.1, 0.5);
-  check.Equal(static_cast<double>(filter->GetNumberOfContours()), 5, "generated values");
+  check.Equal(filter->GetNumberOfContours(), 5, "generated values");
   check.Equal(filter->GetValue(0), 0.1, "first value");
   check.Equal(filter->GetValues()[4], 0.5, "last value");
   double range[2] = { 1.0, 2.0 };
@@ -158,37 +133,31 @@ void CheckValues(Check& check)
 void CheckValueZero(Check& check)
 {
   auto source = Polyline({ { 0.2, 0.3, 0 }, { 0.6, 0.31, 0 }, { 0.7, 0.72, 0 } });
-  vtkNew<vtkCellArray> vertices;
-  const vtkIdType alone = source->GetPoints()->InsertNextPoint(0.1, 0.9, 0.0);
-  vertices->InsertNextCell({ alone });
-  source->SetVerts(vertices);
+  source->SetVerts(CellArray({ { source->GetPoints()->InsertNextPoint(0.1, 0.9, 0.0) } }));
   vtkNew<vtkGeodesicContour> filter;
   SetUp(filter, Square(8), source, { 0.0 });
   filter->Update();
   const std::vector<Line> lines = LinesOf(check, filter->GetOutput());
-  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfVerts()), 1, "a vertex at 0");
-  check.Equal(static_cast<double>(lines.size()), 1, "the curve at 0");
-  Point first;
-  Point last;
-  filter->GetOutput()->GetPoint(lines[0].Points.front(), first.data());
-  filter->GetOutput()->GetPoint(lines[0].Points.back(), last.data());
+  check.Equal(filter->GetOutput()->GetNumberOfVerts(), 1, "a vertex at 0");
+  check.Equal(lines.size(), 1, "the curve at 0");
+  const Point first = PointAt(filter->GetOutput(), lines[0].Points.front());
+  const Point last = PointAt(filter->GetOutput(), lines[0].Points.back());
   check.That(first[0] < 0.21 && last[0] > 0.69, "the curve in its own direction");
   check.That(std::abs(lines[0].Length - std::hypot(0.4, 0.01) - std::hypot(0.1, 0.41)) < 1e-12,
     "the whole curve");
   filter->SetNumberOfContours(2);
   filter->SetValue(1, 0.05);
   filter->Update();
-  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfVerts()), 1, "0 among others");
-  check.Equal(static_cast<double>(LinesOf(check, filter->GetOutput()).size()), 3,
+  check.Equal(filter->GetOutput()->GetNumberOfVerts(), 1, "0 among others");
+  check.Equal(LinesOf(check, filter->GetOutput()).size(), 3,
     "the curve, and a line round it and round the point");
 }
 
 /// A table of the points can be cut into lines again.
 void CheckLineIds(Check& check)
 {
-  vtkNew<vtkGeodesicContour> filter;
-  filter->SetInputData(Square(8));
-  filter->SetSourceData(PointSources({ { 0.2, 0.2, 0 }, { 0.8, 0.7, 0 } }));
+  const auto filter =
+    FilterOn<vtkGeodesicContour>(Square(8), PointSources({ { 0.2, 0.2, 0 }, { 0.8, 0.7, 0 } }));
   filter->SetNumberOfContours(3);
   filter->SetValue(0, 0.0); // two vertices
   filter->SetValue(1, 0.1); // two circles
@@ -222,30 +191,27 @@ void CheckBoundary(Check& check)
   filter->SetSourceTypeToSurfaceBoundary();
   filter->Update();
   const std::vector<Line> lines = LinesOf(check, filter->GetOutput());
-  check.Equal(static_cast<double>(lines.size()), 3, "squares inside the square");
+  check.Equal(lines.size(), 3, "squares inside the square");
   for (const Line& line : lines)
   {
     check.That(line.IsClosed() && std::abs(line.Length - 4.0 * (1.0 - 2.0 * line.Value)) < 1e-12,
       "a smaller square");
   }
-  CheckPointsAtValues(check, filter->GetOutput(), DistanceToBoundaryOfSquare, "squares");
+  CheckTruth(check, filter->GetOutput(), DistanceToBoundaryOfSquare, "squares");
 }
 
 // Two halves that touch are one surface, and lines go on from one to the other.
 void CheckComposite(Check& check)
 {
-  auto right = Square(8);
-  MovePoints(right, [](const Point& p) { return Point{ p[0] + 1.0, p[1], p[2] }; });
+  const auto right = Moved(Square(8), MovedBy(1.0));
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, Square(8));
   blocks->SetBlock(2, right);
-  vtkNew<vtkGeodesicContour> filter;
-  filter->SetInputData(blocks);
-  filter->SetSourceData(PointSources({ { 0.9, 0.47, 0.0 } }));
+  const auto filter = FilterOn<vtkGeodesicContour>(blocks, PointSources({ { 0.9, 0.47, 0.0 } }));
   filter->SetValue(0, 0.3);
   filter->Update();
   const std::vector<Line> lines = LinesOf(check, filter->GetOutput());
-  check.Equal(static_cast<double>(lines.size()), 1, "one line over both blocks");
+  check.Equal(lines.size(), 1, "one line over both blocks");
   check.That(!lines.empty() && lines[0].IsClosed(), "it is closed");
 }
 
@@ -254,16 +220,12 @@ void CheckScale(Check& check)
 {
   for (const double scale : { 1e-120, 1e120 })
   {
-    auto surface = Square(8);
-    MovePoints(surface,
-      [scale](const Point& p) {
-        return Point{ scale * p[0], scale * p[1], scale * p[2] };
-      });
+    const auto surface = Moved(Square(8), ScaledBy(scale));
     vtkNew<vtkGeodesicContour> filter;
     SetUp(filter, surface, PointSources({ { 0.5 * scale, 0.5 * scale, 0.0 } }), { 0.3 * scale });
     filter->Update();
     const std::vector<Line> lines = LinesOf(check, filter->GetOutput());
-    check.Equal(static_cast<double>(lines.size()), 1, "a line at any scale");
+    check.Equal(lines.size(), 1, "a line at any scale");
     check.That(!lines.empty() && lines[0].Value == 0.3 * scale &&
         std::abs(lines[0].Length / scale - 0.6 * Pi) < 1e-3,
       "in the units of the surface");
@@ -278,9 +240,7 @@ void CheckBadProperties(Check& check)
     SetUp(filter, Square(4), PointSources({ { 0.4, 0.4, 0 } }), { 0.2 });
     filter->Update();
     change(filter.Get());
-    Messages messages(filter);
-    messages.Update();
-    check.That(Contains(messages.Error(), words), "\"" + messages.Error() + "\" says " + words);
+    Messages(filter).ExpectError(check, { words }, "a bad property");
     check.That(
       filter->GetOutput()->GetNumberOfPoints() == 0 && filter->GetOutput()->GetNumberOfCells() == 0,
       "the output is empty: " + words);
@@ -305,16 +265,12 @@ void CheckBadProperties(Check& check)
 vtkSmartPointer<vtkPolyData> WithTurnedFaces()
 {
   auto surface = Square(6);
-  vtkNew<vtkCellArray> polys;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType f = 0; f < surface->GetNumberOfPolys(); ++f)
+  auto triangles = CellsOf(surface->GetPolys());
+  for (std::size_t f = 0; f < triangles.size(); f += 5)
   {
-    surface->GetPolys()->GetCellAtId(f, ids);
-    const std::array<vtkIdType, 3> t = { ids->GetId(0), ids->GetId(1), ids->GetId(2) };
-    f % 5 == 0 ? polys->InsertNextCell({ t[0], t[2], t[1] })
-               : polys->InsertNextCell({ t[0], t[1], t[2] });
+    std::swap(triangles[f][1], triangles[f][2]);
   }
-  surface->SetPolys(polys);
+  surface->SetPolys(CellArrayOf(triangles));
   return surface;
 }
 
@@ -322,9 +278,8 @@ void CheckDirectionWarning(Check& check)
 {
   vtkNew<vtkGeodesicContour> filter;
   SetUp(filter, WithTurnedFaces(), PointSources({ { 0.5, 0.48, 0 } }), { 0.3 });
-  Messages messages(filter);
-  messages.Update();
-  check.That(Contains(messages.Warning(), "opposite orientation"), "a direction that says nothing");
+  Messages(filter).ExpectWarning(
+    check, { "opposite orientation" }, "a direction that says nothing");
   const std::vector<Line> lines = LinesOf(check, filter->GetOutput());
   check.That(lines.size() == 1 && lines[0].IsClosed(), "the line is whole all the same");
 }
@@ -339,17 +294,15 @@ void CheckSigned(Check& check)
   filter->Update();
   const std::vector<Line> lines = LinesOf(check, filter->GetOutput());
   const std::vector<double> values = { 0.0, -0.2, -0.1, 0.2, 0.5 };
-  check.Equal(static_cast<double>(lines.size()), 5, "a line a signed value");
+  check.Equal(lines.size(), 5, "a line a signed value");
   for (std::size_t i = 0; i < lines.size() && i < values.size(); ++i)
   {
     check.Equal(lines[i].Value, values[i], "the signed value");
-    Point first;
-    Point last;
-    filter->GetOutput()->GetPoint(lines[i].Points.front(), first.data());
-    filter->GetOutput()->GetPoint(lines[i].Points.back(), last.data());
+    const Point first = PointAt(filter->GetOutput(), lines[i].Points.front());
+    const Point last = PointAt(filter->GetOutput(), lines[i].Points.back());
     check.That(std::abs(first[1] - 0.4 - values[i]) < 1e-12, "on its side of the curve");
     check.That(first[0] < 0.01 && last[0] > 0.99, "in the curve's direction");
-    check.That(std::abs(lines[i].Length - 1.0) < 1e-12, "as long as the curve");
+    check.Near(lines[i].Length, 1.0, 1e-12, "as long as the curve");
   }
   // The boundary has no right-hand side.
   filter->SetSourceTypeToSurfaceBoundary();
@@ -362,11 +315,9 @@ void CheckSigned(Check& check)
 
   SetUp(filter, WithTurnedFaces(), source, { 0.1 });
   filter->SetSourceTypeToSourceCurve();
-  Messages messages(filter);
-  messages.Update();
-  check.That(Contains(messages.Error(), "SignedDistances needs a surface whose faces have one"),
+  Messages(filter).ExpectError(check, { "SignedDistances needs a surface whose faces have one" },
     "sides need one orientation");
-  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfCells()), 0, "no lines then");
+  check.Equal(filter->GetOutput()->GetNumberOfCells(), 0, "no lines then");
 }
 
 void CheckProgressAndAbort(Check& check)
@@ -416,16 +367,8 @@ void CheckThreads(Check& check)
     outputs.emplace_back(filter->GetOutput());
   }
   vtkSMPTools::Initialize();
-  const vtkIdType count = outputs[0]->GetNumberOfPoints();
-  bool isSame = count > 0 && outputs[1]->GetNumberOfPoints() == count;
-  for (vtkIdType i = 0; isSame && i < count; ++i)
-  {
-    Point a;
-    Point b;
-    outputs[0]->GetPoint(i, a.data());
-    outputs[1]->GetPoint(i, b.data());
-    isSame = a == b;
-  }
+  const bool isSame =
+    outputs[0]->GetNumberOfPoints() > 0 && PlacesOf(outputs[0]) == PlacesOf(outputs[1]);
   check.That(isSame, "the same points on threads");
 }
 

@@ -17,17 +17,9 @@ namespace
 /// Two squares beside each other; the second one's left side is at u.
 vtkSmartPointer<vtkPolyData> TwoSquares(double u, int dataType, bool sharesCorner = false)
 {
-  auto surface = PointSources({ { 0, 0, 0 }, { .5, 0, 0 }, { .5, 1, 0 }, { 0, 1, 0 }, { u, 0, 0 },
-                                { 1, 0, 0 }, { 1, 1, 0 }, { sharesCorner ? .5 : u, 1, 0 } },
-    dataType);
-  vtkNew<vtkCellArray> polys;
-  for (const auto& face :
-    { std::array<vtkIdType, 3>{ 0, 1, 2 }, { 0, 2, 3 }, { 4, 5, 6 }, { 4, 6, 7 } })
-  {
-    polys->InsertNextCell(3, face.data());
-  }
-  surface->SetPolys(polys);
-  return surface;
+  return Mesh({ { 0, 0, 0 }, { .5, 0, 0 }, { .5, 1, 0 }, { 0, 1, 0 }, { u, 0, 0 }, { 1, 0, 0 },
+                { 1, 1, 0 }, { sharesCorner ? .5 : u, 1, 0 } },
+    { { 0, 1, 2 }, { 0, 2, 3 }, { 4, 5, 6 }, { 4, 6, 7 } }, dataType);
 }
 
 /// Measures from the first corner of the two squares.
@@ -63,13 +55,11 @@ void CheckClosed(Check& check, vtkPolyData* surface, vtkIdType joined, const std
   const std::vector<double> values = Measure(check, filter, surface);
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    Point p;
-    surface->GetPoint(static_cast<vtkIdType>(i), p.data());
-    check.That(std::abs(values[i] - std::hypot(p[0], p[1])) < 1e-6,
-      what + ": distance of point " + std::to_string(i) + " is " + std::to_string(values[i]));
+    const Point p = PointAt(surface, static_cast<vtkIdType>(i));
+    check.Near(values[i], std::hypot(p[0], p[1]), 1e-6,
+      what + ": distance of point " + std::to_string(i) + " is");
   }
-  check.Equal(static_cast<double>(filter->GetSeamPointsJoined()), static_cast<double>(joined),
-    what + ": joined points");
+  check.Equal(filter->GetSeamPointsJoined(), joined, what + ": joined points");
 }
 
 void CheckTwoSquares(Check& check)
@@ -82,29 +72,13 @@ void CheckTwoSquares(Check& check)
   CheckClosed(check, TwoSquares(single, VTK_FLOAT, true), 1, "a shared corner");
 
   // As two blocks.
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  auto whole = TwoSquares(single, VTK_FLOAT);
-  for (int part = 0; part < 2; ++part)
-  {
-    vtkNew<vtkPolyData> block;
-    block->SetPoints(whole->GetPoints());
-    vtkNew<vtkCellArray> polys;
-    for (vtkIdType face = 2 * part; face < 2 * part + 2; ++face)
-    {
-      vtkNew<vtkIdList> ids;
-      whole->GetPolys()->GetCellAtId(face, ids);
-      polys->InsertNextCell(ids);
-    }
-    block->SetPolys(polys);
-    blocks->SetBlock(static_cast<unsigned>(part), block);
-  }
+  const auto whole = TwoSquares(single, VTK_FLOAT);
+  const auto blocks = Blocks({ Part(whole, { 0, 1 }), Part(whole, { 2, 3 }) });
   vtkNew<vtkGeodesicDistanceField> filter;
   Measure(check, filter, blocks);
-  check.Equal(static_cast<double>(filter->GetSeamPointsJoined()), 2.0, "joined points of blocks");
-  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-  auto* second = vtkPolyData::SafeDownCast(output->GetBlock(1));
-  check.That(std::abs(second->GetPointData()->GetArray("GeodesicDistance")->GetTuple1(6) -
-               std::sqrt(2.0)) < 1e-6,
+  check.Equal(filter->GetSeamPointsJoined(), 2.0, "joined points of blocks");
+  const auto leaves = LeavesOf(filter->GetOutputDataObject(0));
+  check.Near(PointValue(leaves.at(1), "GeodesicDistance", 2), std::sqrt(2.0), 1e-6,
     "distance in the second block");
 }
 
@@ -117,46 +91,35 @@ void CheckWiderCracks(Check& check)
   std::string warning;
   std::vector<double> values = Measure(check, filter, surface, &warning);
   check.Equal(values.at(5), std::numeric_limits<double>::infinity(), "behind an open crack");
-  for (const char* word : { "2 boundary edges", "1e-07 apart", "MergeTolerance" })
-  {
-    check.That(
-      Contains(warning, word), "the warning of a crack says " + std::string(word) + ": " + warning);
-  }
+  CheckWords(check, warning, { "2 boundary edges", "1e-07 apart", "MergeTolerance" },
+    "the warning of a crack");
   filter->SetMergeTolerance(0.9 * width);
   check.Equal(Measure(check, filter, surface, &warning).at(5),
     std::numeric_limits<double>::infinity(), "a tolerance below the crack's width");
   filter->SetMergeTolerance(1.1 * width);
   values = Measure(check, filter, surface);
-  check.That(std::abs(values.at(5) - 1.0) < 1e-6, "a tolerance above the crack's width");
+  check.Near(values.at(5), 1.0, 1e-6, "a tolerance above the crack's width");
   filter->MergeCoincidentPointsOff();
   check.Equal(Measure(check, filter, surface).at(5), std::numeric_limits<double>::infinity(),
     "without merging nothing is joined, and nothing said");
   filter->MergeCoincidentPointsOn();
   filter->SetMergeTolerance(10.0);
   values = Measure(check, filter, surface);
-  check.That(std::abs(values.at(6) - std::hypot(1.0, 1.0)) < 1e-6,
+  check.Near(values.at(6), std::hypot(1.0, 1.0), 1e-6,
     "a tolerance that is longer than the edges collapses none");
   for (const double wrong : { -1.0, std::nan("") })
   {
     filter->SetMergeTolerance(wrong);
-    Messages messages(filter);
-    messages.Update();
-    check.That(Contains(messages.Error(), "MergeTolerance"), "a wrong tolerance is an error");
+    Messages(filter).ExpectError(check, { "MergeTolerance" }, "a wrong tolerance is an error");
   }
 }
 
 /// A point of one side lies on an edge of the other: no points to join, but a warning.
 void CheckHangingPoint(Check& check)
 {
-  auto surface = PointSources(
-    { { 0, 0, 0 }, { .5, 0, 0 }, { .5, 1, 0 }, { .5, .4, 0 }, { 1, 0, 0 }, { 1, 1, 0 } });
-  vtkNew<vtkCellArray> polys;
-  for (const auto& face :
-    { std::array<vtkIdType, 3>{ 0, 1, 2 }, { 1, 4, 3 }, { 3, 4, 5 }, { 3, 5, 2 } })
-  {
-    polys->InsertNextCell(3, face.data());
-  }
-  surface->SetPolys(polys);
+  const auto surface =
+    Mesh({ { 0, 0, 0 }, { .5, 0, 0 }, { .5, 1, 0 }, { .5, .4, 0 }, { 1, 0, 0 }, { 1, 1, 0 } },
+      { { 0, 1, 2 }, { 1, 4, 3 }, { 3, 4, 5 }, { 3, 5, 2 } });
   vtkNew<vtkGeodesicDistanceField> filter;
   std::string warning;
   Measure(check, filter, surface, &warning);
@@ -172,36 +135,19 @@ void CheckLeftAlone(Check& check)
     [](const Point& p) {
       return Point{ p[0] + 4e-16, p[1], std::nextafter(p[2], 2.0) };
     });
-  vtkNew<vtkPolyData> both;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> polys;
-  for (vtkPolyData* part : { ball.Get(), other.Get() })
+  auto both = Mesh({}, {});
+  Append(both, ball);
+  Append(both, other);
+  // Faces with different orientations: an inner edge is none of the boundary there, either.
+  auto polygons = CellsOf(both->GetPolys());
+  for (std::size_t face = 0; face < polygons.size(); face += 3)
   {
-    const vtkIdType first = points->GetNumberOfPoints();
-    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
-    {
-      points->InsertNextPoint(part->GetPoint(i));
-    }
-    for (vtkIdType face = 0; face < part->GetNumberOfPolys(); ++face)
-    {
-      vtkNew<vtkIdList> ids;
-      part->GetPolys()->GetCellAtId(face, ids);
-      // Faces with different orientations: an inner edge is none of the boundary there, either.
-      const bool isTurned = face % 3 == 0;
-      polys->InsertNextCell({ first + ids->GetId(0), first + ids->GetId(isTurned ? 2 : 1),
-        first + ids->GetId(isTurned ? 1 : 2) });
-    }
+    std::swap(polygons[face][1], polygons[face][2]);
   }
-  both->SetPoints(points);
-  both->SetPolys(polys);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(both);
-  filter->SetSourceData(PointSources({ { 0, 0, .5 } }));
-  filter->RefineMeshOff();
+  both->SetPolys(CellArrayOf(polygons));
+  const auto filter = PlainField(both, PointSources({ { 0, 0, .5 } }));
   filter->Update();
-  check.Equal(
-    static_cast<double>(filter->GetSeamPointsJoined()), 0.0, "two closed surfaces in one place");
+  check.Equal(filter->GetSeamPointsJoined(), 0.0, "two closed surfaces in one place");
 
   // A strip whose squares are two roundings of single precision wide.
   constexpr double far = 1 << 22;
@@ -210,8 +156,7 @@ void CheckLeftAlone(Check& check)
   filter->SetInputData(strip);
   filter->SetSourceData(PointSources({ { far, far, 0.0 } }));
   filter->Update();
-  check.Equal(
-    static_cast<double>(filter->GetSeamPointsJoined()), 0.0, "edges as short as roundings");
+  check.Equal(filter->GetSeamPointsJoined(), 0.0, "edges as short as roundings");
   CheckDistances(
     check, filter, [](const Point& p) { return std::hypot(p[0] - far, p[1] - far); },
     "edges as short as roundings");

@@ -26,6 +26,14 @@ void Draw(DrawnField* field, const std::vector<Point>& curve)
   }
 }
 
+vtkSmartPointer<DrawnField> Drawn(vtkPolyData* surface, const std::vector<Point>& curve)
+{
+  auto field = vtkSmartPointer<DrawnField>::New();
+  field->SetInputData(surface);
+  Draw(field, curve);
+  return field;
+}
+
 std::vector<Point> Closed(std::vector<Point> curve)
 {
   curve.push_back(curve.front());
@@ -34,10 +42,8 @@ std::vector<Point> Closed(std::vector<Point> curve)
 
 void CheckCurves(Check& check)
 {
-  vtkNew<DrawnField> field;
-  field->SetInputData(Square(6));
   const std::vector<Point> bent = { { 0.2, 0.1, 0 }, { 0.9, 0.3, 0 }, { 0.4, 0.8, 0 } };
-  Draw(field, bent);
+  const auto field = Drawn(Square(6), bent);
   field->Update();
   CheckDistances(check, field, DistanceTo(bent), "open");
 
@@ -71,9 +77,7 @@ void CheckCurves(Check& check)
 
 void CheckExecutesWhenTheCurveChanges(Check& check)
 {
-  vtkNew<DrawnField> field;
-  field->SetInputData(Square(4));
-  Draw(field, { { 0, 0.5, 0 }, { 1, 0.5, 0 } });
+  const auto field = Drawn(Square(4), { { 0, 0.5, 0 }, { 1, 0.5, 0 } });
   int executions = 0;
   const Listener listener(field, vtkCommand::EndEvent, [&executions]() { ++executions; });
   field->Update();
@@ -92,13 +96,9 @@ void CheckExecutesWhenTheCurveChanges(Check& check)
 /// It is put onto the surface, but the user is told.
 void CheckFarCurve(Check& check)
 {
-  vtkNew<DrawnField> field;
-  field->SetInputData(Square(4));
-  Draw(field, { { 0.25, -3, 7 }, { 0.75, 0.5, 2 } });
-  Messages messages(field);
-  messages.Update();
-  check.That(Contains(messages.Warning(), "up to 7.61577 away from the surface"),
-    "a far curve is told: " + messages.Warning());
+  const auto field = Drawn(Square(4), { { 0.25, -3, 7 }, { 0.75, 0.5, 2 } });
+  Messages(field).ExpectWarning(
+    check, { "up to 7.61577 away from the surface" }, "a far curve is told");
   CheckDistances(check, field, DistanceTo({ { 0.25, 0, 0 }, { 0.75, 0.5, 0 } }), "a far curve");
   check.Equal(field->GetSourceSnapDistance(), std::hypot(3.0, 7.0), "how far it was");
 }
@@ -106,12 +106,8 @@ void CheckFarCurve(Check& check)
 /// Handles that are dragged beside the surface go onto it without a word.
 void CheckCurveBeside(Check& check)
 {
-  vtkNew<DrawnField> field;
-  field->SetInputData(Square(4));
-  Draw(field, { { 0.25, 0.25, 0 }, { 0.75, 0.5, 0.5 } });
-  Messages messages(field);
-  messages.Update();
-  check.That(messages.Warning().empty(), "a curve beside: " + messages.Warning());
+  const auto field = Drawn(Square(4), { { 0.25, 0.25, 0 }, { 0.75, 0.5, 0.5 } });
+  Messages(field).ExpectNoWarning(check, "a curve beside");
   check.Equal(field->GetSourceSnapDistance(), 0.5, "how far it was beside");
 }
 
@@ -123,8 +119,7 @@ void CheckLength(Check& check)
   const auto expect = [&](double length, const std::string& what)
   {
     field->Update();
-    check.That(std::abs(field->GetSourceLength() - length) <= 1e-14,
-      what + " has the length " + std::to_string(field->GetSourceLength()));
+    check.Near(field->GetSourceLength(), length, 1e-14, what + " has the length");
     check.Equal(field->GetOutput()->GetFieldData()->GetArray("SourceLength")->GetTuple1(0),
       field->GetSourceLength(), "the getter and the array of the length of " + what);
   };
@@ -145,17 +140,14 @@ void CheckLength(Check& check)
   overEdge->SetInputConnection(box->GetOutputPort());
   Draw(overEdge, { { -0.25, 0.25, 0.5 }, { 0.5, 0.0, 0.25 } });
   overEdge->Update();
-  check.That(std::abs(overEdge->GetSourceLength() - std::hypot(1.0, 0.25)) <= 1e-14,
-    "around an edge " + std::to_string(overEdge->GetSourceLength()));
+  check.Near(overEdge->GetSourceLength(), std::hypot(1.0, 0.25), 1e-14, "around an edge");
 }
 
 /// Landmarks: the points are not joined, and have their numbers as ids.
 void CheckPointsOnly(Check& check)
 {
   const std::vector<Point> points = { { 0.125, 0.25, 0 }, { 0.875, 0.5, 0 }, { 0.5, 1, 0 } };
-  vtkNew<DrawnField> field;
-  field->SetInputData(Square(4));
-  Draw(field, points);
+  const auto field = Drawn(Square(4), points);
   field->CurveClosedOn();
   field->GenerateSourceIdsOn();
   field->Update();
@@ -176,11 +168,10 @@ void CheckPointsOnly(Check& check)
   check.Equal(field->GetSourceLength(), 0.0, "points have no length");
   vtkPolyData* marks = field->GetOutput(1);
   vtkDataArray* ids = marks->GetCellData()->GetArray("SourceId");
-  check.Equal(static_cast<double>(marks->GetNumberOfVerts()), 3.0, "three marks");
+  check.Equal(marks->GetNumberOfVerts(), 3.0, "three marks");
   for (vtkIdType i = 0; ids && i < marks->GetNumberOfPoints(); ++i)
   {
-    Point p;
-    marks->GetPoint(i, p.data());
+    const Point p = PointAt(marks, i);
     check.That(
       p == points[static_cast<std::size_t>(ids->GetTuple1(i))], "ids are numbers of points");
   }
@@ -194,13 +185,11 @@ void CheckWithoutPoints(Check& check)
   vtkNew<DrawnField> field;
   field->SetInputData(Square(4));
   Messages messages(field);
-  messages.Update();
-  check.That(Contains(messages.Error(), "curve has no points"), "no points: " + messages.Error());
+  messages.ExpectError(check, { "curve has no points" }, "no points");
   CheckOutputsEmpty(check, field, "a curve without points");
 
   field->SetSourceTypeToSurfaceBoundary();
-  messages.Update();
-  check.That(messages.Error().empty(), "the boundary will do: " + messages.Error());
+  messages.ExpectNoError(check, "the boundary will do");
   CheckDistances(check, field, DistanceToBoundaryOfSquare, "from the boundary");
 
   Point p = { 1, 1, 1 };

@@ -23,10 +23,7 @@ void CheckExecutesWhenSomethingChanged(Check& check)
 {
   auto surface = Square(4);
   auto source = PointSources({ { 0, 0, 0 } });
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(surface);
-  filter->SetSourceData(source);
+  const auto filter = PlainField(surface, source);
   int executions = 0;
   Listener listener(filter, vtkCommand::StartEvent, [&] { ++executions; });
 
@@ -66,14 +63,9 @@ void CheckSurfaceIsReused(Check& check)
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->RefineMeshOff();
   filter->SetInputData(surface);
-  Messages messages(filter);
   BuildWatch builds(filter);
   const auto expect = [&](bool built, const std::string& what)
-  {
-    messages.Update();
-    check.That(builds.Count() == (built ? 1 : 0),
-      "the structure is " + std::string(built ? "" : "not ") + "built " + what);
-  };
+  { builds.Expect(check, built, what); };
 
   filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
   expect(true, "the first time");
@@ -85,7 +77,8 @@ void CheckSurfaceIsReused(Check& check)
   CheckDistances(check, filter, DistanceToBoundaryOfSquare, "another source type");
   filter->SetSourceTypeToSourceCurve();
   filter->SetSourceData(vtkNew<vtkPolyData>());
-  expect(false, "for a source that fails");
+  Messages(filter).ExpectError(check, { "empty" }, "a source that fails");
+  check.Equal(builds.Count(), 0, "the structure is not built for a source that fails");
   filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
   expect(false, "after a source that failed");
   filter->RefineMeshOn();
@@ -100,7 +93,7 @@ void CheckSurfaceIsReused(Check& check)
   expect(true, "when points are no longer merged");
 
   // A change in place counts, whether told by the points or by the surface.
-  MovePoints(surface, [](const Point& p) { return Point{ 2 * p[0], 2 * p[1], 0 }; });
+  MovePoints(surface, ScaledBy(2));
   surface->Modified();
   expect(true, "after the surface changed");
   CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "the changed surface");
@@ -126,16 +119,12 @@ void CheckWhatTheStructureDependsOn(Check& check)
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->RefineMeshOff();
   filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
-  Messages messages(filter);
   BuildWatch builds(filter);
   const auto expect = [&](vtkPolyData* input, bool built, const std::string& what)
   {
     filter->SetInputData(input);
     filter->Modified();
-    messages.Update();
-    check.That(builds.Count() == (built ? 1 : 0),
-      "the structure is " + std::string(built ? "" : "not ") + "built " + what);
-    check.That(messages.Error().empty(), what + ": " + messages.Error());
+    builds.Expect(check, built, what);
   };
   expect(surface, true, "the first time");
   vtkNew<vtkPolyData> withArrays;
@@ -146,8 +135,7 @@ void CheckWhatTheStructureDependsOn(Check& check)
   check.That(filter->GetOutput()->GetPointData()->HasArray("Heat") &&
       filter->GetOutput()->GetCellData()->HasArray("Number"),
     "which are passed on");
-  vtkNew<vtkPolyData> copy;
-  copy->DeepCopy(withArrays);
+  const auto copy = CopyOf(withArrays);
   expect(copy, false, "for a copy");
 
   copy->GetPoints()->SetPoint(40, 0.5, 0.5, 0.25);
@@ -178,10 +166,7 @@ void CheckWhatTheStructureDependsOn(Check& check)
 
 void CheckStructureIsReleasedWithTheOutput(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(Square(8, Cells::Quads));
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  const auto filter = PlainField(Square(8, Cells::Quads), PointSources({ { 0, 0, 0 } }));
   BuildWatch builds(filter);
   for (const bool isReleased : { false, true })
   {
@@ -198,11 +183,9 @@ void CheckStructureIsReleasedWithTheOutput(Check& check)
 
 void CheckProgressNeverFalls(Check& check, bool refine)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetRefineMesh(refine);
-  filter->SetInputData(Square(128));
-  filter->SetSourceData(
+  const auto filter = RefinedField(Square(128),
     Polyline({ { 0.1, 0.1, 0 }, { 0.9, 0.3, 0 }, { 0.2, 0.8, 0 }, { 0.7, 0.9, 0 } }, true));
+  filter->SetRefineMesh(refine);
   std::vector<double> seen;
   Listener listener(
     filter, vtkCommand::ProgressEvent, [&] { seen.push_back(filter->GetProgress()); });

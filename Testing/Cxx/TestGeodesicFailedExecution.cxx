@@ -103,30 +103,20 @@ std::vector<Kind> Kinds()
 
 vtkSmartPointer<vtkDataObject> TwoBlocks()
 {
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Square(4));
-  auto other = Square(4);
-  MovePoints(other, [](const Point& p) { return Point{ p[0] + 1.0, p[1], p[2] }; });
-  blocks->SetBlock(2, other); // block 1 is null
-  return blocks.Get();
+  return Blocks({ Square(4), nullptr, Moved(Square(4), MovedBy(1.0)) }).Get();
 }
 
 /// All coordinates and numbers of a data set, of all blocks.
-std::vector<double> NumbersOf(vtkDataObject* data)
+std::vector<double> AllNumbersOf(vtkDataObject* data)
 {
   std::vector<double> numbers;
-  const auto add = [&numbers](vtkDataArray* array)
-  {
-    for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
-    {
-      numbers.push_back(array->GetVariantValue(i).ToDouble());
-    }
-  };
+  const auto add = [&numbers](const std::vector<double>& more)
+  { numbers.insert(numbers.end(), more.begin(), more.end()); };
   const auto addAll = [&add](vtkFieldData* arrays)
   {
     for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
     {
-      add(arrays->GetArray(i));
+      add(NumbersOf(arrays->GetArray(i)));
     }
   };
   addAll(data->GetFieldData());
@@ -134,9 +124,7 @@ std::vector<double> NumbersOf(vtkDataObject* data)
   {
     for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
     {
-      const std::vector<double> own =
-        blocks->GetBlock(i) ? NumbersOf(blocks->GetBlock(i)) : std::vector<double>();
-      numbers.insert(numbers.end(), own.begin(), own.end());
+      add(blocks->GetBlock(i) ? AllNumbersOf(blocks->GetBlock(i)) : std::vector<double>());
     }
   }
   else if (auto* table = vtkTable::SafeDownCast(data))
@@ -145,7 +133,7 @@ std::vector<double> NumbersOf(vtkDataObject* data)
   }
   else if (auto* set = vtkPolyData::SafeDownCast(data))
   {
-    add(set->GetPoints() ? set->GetPoints()->GetData() : nullptr);
+    add(NumbersOf(set->GetPoints() ? set->GetPoints()->GetData() : nullptr));
     addAll(set->GetPointData());
     addAll(set->GetCellData());
     numbers.push_back(static_cast<double>(set->GetNumberOfCells()));
@@ -156,7 +144,7 @@ std::vector<double> NumbersOf(vtkDataObject* data)
 /// Of a composite output the blocks are there.
 bool IsEmpty(vtkDataObject* data)
 {
-  const std::vector<double> numbers = NumbersOf(data); // each block's number of cells
+  const std::vector<double> numbers = AllNumbersOf(data); // each block's number of cells
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data);
   const bool hasBlocks = !blocks ||
     (blocks->GetNumberOfBlocks() == 3 && vtkPolyData::SafeDownCast(blocks->GetBlock(0)) &&
@@ -198,8 +186,8 @@ void CheckGoesOn(Check& check, const Kind& kind, vtkDataObject* surface, const s
     check.That(Contains(filter->GetErrorMessage(), isGood ? "" : "Source Type") &&
         filter->GetErrorMessage().empty() == isGood,
       name + ": GetErrorMessage() " + when);
-    check.Equal(static_cast<double>(filter->GetErrorCode()),
-      isGood ? vtkErrorCode::NoError : vtkErrorCode::UserError, name + ": error code " + when);
+    check.Equal(filter->GetErrorCode(), isGood ? vtkErrorCode::NoError : vtkErrorCode::UserError,
+      name + ": error code " + when);
     for (int port = 0; port < filter->GetNumberOfOutputPorts() && !isGood; ++port)
     {
       check.That(IsEmpty(filter->GetOutputDataObject(port)),
@@ -223,7 +211,8 @@ void CheckGoesOn(Check& check, const Kind& kind, vtkDataObject* surface, const s
   fresh->SetInputDataObject(0, surface);
   kind.SetSource(fresh, good);
   fresh->Update();
-  check.That(NumbersOf(end->GetOutputDataObject(0)) == NumbersOf(fresh->GetOutputDataObject(0)),
+  check.That(
+    AllNumbersOf(end->GetOutputDataObject(0)) == AllNumbersOf(fresh->GetOutputDataObject(0)),
     name + ": downstream has what a fresh filter gives");
 }
 

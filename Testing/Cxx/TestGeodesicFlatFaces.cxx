@@ -16,65 +16,33 @@ using namespace GeodesicTesting;
 namespace
 {
 
-vtkSmartPointer<vtkPolyData> Surface(
-  const std::vector<Point>& points, const std::vector<std::array<vtkIdType, 3>>& triangles)
-{
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> places;
-  places->SetDataTypeToDouble();
-  for (const Point& p : points)
-  {
-    places->InsertNextPoint(p.data());
-  }
-  vtkNew<vtkCellArray> cells;
-  for (const auto& t : triangles)
-  {
-    cells->InsertNextCell({ t[0], t[1], t[2] });
-  }
-  surface->SetPoints(places);
-  surface->SetPolys(cells);
-  return surface;
-}
-
 /// The last face lies on a line: point 5 is in the middle of the edge from 2 to 3. A shortest path
 /// bends there and crosses the face.
 vtkSmartPointer<vtkPolyData> Folded()
 {
-  return Surface({ { 0, 12, 0 }, { 0, 16, 0 }, { 4, 12, 2 }, { 4, 16, 2 }, { 8, 12, 2 },
-                   { 4, 14, 2 }, { 16.0 / 3.0, 14, 3 } },
+  return Mesh({ { 0, 12, 0 }, { 0, 16, 0 }, { 4, 12, 2 }, { 4, 16, 2 }, { 8, 12, 2 }, { 4, 14, 2 },
+                { 16.0 / 3.0, 14, 3 } },
     { { 0, 2, 3 }, { 0, 3, 1 }, { 3, 5, 6 }, { 5, 4, 6 }, { 2, 5, 3 } });
 }
 
 void CheckMatrixAndPaths(Check& check)
 {
   const double truth = std::sqrt(20.0) + std::sqrt(24.0);
-  vtkNew<vtkGeodesicDistanceMatrix> matrix;
-  matrix->SetInputData(Folded());
-  matrix->SetSourceData(PointSources({ { 8, 12, 2 }, { 0, 16, 0 } }));
+  const auto matrix =
+    FilterOn<vtkGeodesicDistanceMatrix>(Folded(), PointSources({ { 8, 12, 2 }, { 0, 16, 0 } }));
   matrix->Update();
   for (vtkIdType row = 0; row < 2; ++row)
   {
     const double distance =
       matrix->GetOutput()->GetValueByName(row, row == 0 ? "Source1" : "Source0").ToDouble();
-    check.That(std::abs(distance - truth) <= 1e-13, "matrix: there and back");
+    check.Near(distance, truth, 1e-13, "matrix: there and back");
   }
-  vtkNew<vtkGeodesicPaths> paths;
-  paths->SetInputData(Folded());
-  paths->SetSourceData(PointSources({ { 8, 12, 2 } }));
+  const auto paths = FilterOn<vtkGeodesicPaths>(Folded(), PointSources({ { 8, 12, 2 } }));
   paths->SetTargetsData(PointSources({ { 0, 16, 0 } }));
   paths->GenerateFaceIdsOn();
   paths->Update();
   vtkPolyData* path = paths->GetOutput();
-  double length = 0.0;
-  for (vtkIdType i = 1; i < path->GetNumberOfPoints(); ++i)
-  {
-    Point a;
-    Point b;
-    path->GetPoint(i - 1, a.data());
-    path->GetPoint(i, b.data());
-    length += std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), b.data()));
-  }
-  check.That(std::abs(length - truth) <= 1e-13, "path: its length");
+  check.Near(TotalLength(path), truth, 1e-13, "path: its length");
   vtkDataArray* faces = path->GetPointData()->GetArray("FaceId");
   for (vtkIdType i = 0; i < path->GetNumberOfPoints(); ++i)
   {
@@ -85,10 +53,7 @@ void CheckMatrixAndPaths(Check& check)
 void CheckUnrefinedCells(Check& check)
 {
   const vtkSmartPointer<vtkPolyData> surface = Folded();
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ { 8, 12, 2 } }));
-  filter->RefineMeshOff();
+  const auto filter = PlainField(surface, PointSources({ { 8, 12, 2 } }));
   filter->Update();
   check.That(filter->GetOutput()->GetPolys() == surface->GetPolys(),
     "unrefined: the cells are the input's own");
@@ -103,18 +68,15 @@ void CheckRefined(
     surface->SetBlock(i, blocks[i]);
   }
   const Point source = { 0.7, 0.2, 0 };
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputDataObject(0, surface);
-  filter->SetSourceData(PointSources({ source }));
+  const auto filter = RefinedField(surface, PointSources({ source }));
   filter->SetRefinementTolerance(0.002);
   filter->GenerateSourceIdsOn();
   filter->GenerateGradientsOn();
   filter->Update();
   std::set<Point> onDiagonal[2];
-  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
   for (unsigned int i = 0; i < blocks.size(); ++i)
   {
-    auto* block = vtkPolyData::SafeDownCast(output->GetBlock(i));
+    vtkPolyData* block = Block(filter, i);
     vtkDataArray* distances = block->GetPointData()->GetArray("GeodesicDistance");
     vtkDataArray* gradients = block->GetPointData()->GetArray("DistanceGradient");
     vtkDataArray* cells = block->GetCellData()->GetArray("OriginalCellIds");
@@ -124,14 +86,12 @@ void CheckRefined(
     {
       original.insert(static_cast<vtkIdType>(cells->GetTuple1(cell)));
     }
-    check.Equal(static_cast<double>(original.size()),
-      static_cast<double>(blocks[i]->GetNumberOfCells()), name + ": every cell is there");
+    check.Equal(original.size(), blocks[i]->GetNumberOfCells(), name + ": every cell is there");
     for (vtkIdType point = 0; point < block->GetNumberOfPoints(); ++point)
     {
-      Point p;
-      block->GetPoint(point, p.data());
+      const Point p = PointAt(block, point);
       const double truth = std::hypot(p[0] - source[0], p[1] - source[1]);
-      check.That(std::abs(distances->GetTuple1(point) - truth) < 1e-14, name + ": the distance");
+      check.Near(distances->GetTuple1(point), truth, 1e-14, name + ": the distance");
       const double error =
         std::hypot(gradients->GetComponent(point, 0) - (p[0] - source[0]) / truth,
           gradients->GetComponent(point, 1) - (p[1] - source[1]) / truth);
@@ -162,14 +122,12 @@ void CheckRefinedSurfaces(Check& check)
     const Triangles lower = { { 0, 1, 2 } };
     Triangles both = lower;
     both.insert(both.end(), upper.begin(), upper.end());
-    CheckRefined(check, { Surface(points, both) }, name + " in one block");
+    CheckRefined(check, { Mesh(points, both) }, name + " in one block");
     CheckRefined(
-      check, { Surface(points, lower), Surface(points, upper) }, name + " in one of two blocks");
+      check, { Mesh(points, lower), Mesh(points, upper) }, name + " in one of two blocks");
     for (const vtkIdType most : { 40, 50, 60, 70 })
     {
-      vtkNew<vtkGeodesicDistanceField> filter;
-      filter->SetInputData(Surface(points, both));
-      filter->SetSourceData(PointSources({ { 0.7, 0.2, 0 } }));
+      const auto filter = RefinedField(Mesh(points, both), PointSources({ { 0.7, 0.2, 0 } }));
       filter->SetRefinementTolerance(1e-5);
       filter->SetMaximumNumberOfCells(most);
       Messages messages(filter);
@@ -235,15 +193,9 @@ void CheckRandomSurfaces(Check& check)
       const std::vector<double> truth =
         geodesictest::bruteForceDistances(one.made.open, one.sources).vertices;
       double error = 0.0;
-      if (vtkPolyData* whole = one.filter->GetOutput())
+      for (vtkPolyData* block : LeavesOf(one.filter->GetOutputDataObject(0)))
       {
-        error = ErrorOfBlock(one, whole, truth);
-      }
-      auto* blocks = vtkMultiBlockDataSet::SafeDownCast(one.filter->GetOutputDataObject(0));
-      for (unsigned int i = 0; blocks && i < blocks->GetNumberOfBlocks(); ++i)
-      {
-        error =
-          std::max(error, ErrorOfBlock(one, vtkPolyData::SafeDownCast(blocks->GetBlock(i)), truth));
+        error = std::max(error, ErrorOfBlock(one, block, truth));
       }
       error /= std::max(1.0, LargestFinite(truth));
       check.That(error <= one.accuracy, one.name + ": wrong by " + std::to_string(error));
@@ -268,18 +220,16 @@ void CheckRefinedRandomSurfaces(Check& check)
       {
         continue;
       }
-      vtkDataObject* input = one.filter->GetInputDataObject(0, 0);
-      auto* blocks = vtkMultiBlockDataSet::SafeDownCast(input);
-      for (unsigned int i = 0; i < (blocks ? blocks->GetNumberOfBlocks() : 1); ++i)
+      const auto before = LeavesOf(one.filter->GetInputDataObject(0, 0));
+      const auto after = LeavesOf(one.filter->GetOutputDataObject(0));
+      for (std::size_t i = 0; i < before.size(); ++i)
       {
-        auto* before = vtkPolyData::SafeDownCast(blocks ? blocks->GetBlock(i) : input);
-        vtkPolyData* after = blocks ? Block(one.filter, i) : one.filter->GetOutput();
         bool hasArea = false;
-        for (vtkIdType cell = 0; cell < before->GetNumberOfCells(); ++cell)
+        for (vtkIdType cell = 0; cell < before[i]->GetNumberOfCells(); ++cell)
         {
-          hasArea = hasArea || AreaOf(before, cell) > 1e-9;
+          hasArea = hasArea || AreaOf(before[i], cell) > 1e-9;
         }
-        check.That(!hasArea || AreaError(before, after) < 1e-9,
+        check.That(!hasArea || AreaError(before[i], after.at(i)) < 1e-9,
           one.name + ": parts of cells cover them in block " + std::to_string(i));
       }
     }

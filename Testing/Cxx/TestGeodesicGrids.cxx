@@ -16,6 +16,8 @@
 #include "vtkStructuredGrid.h"
 #include "vtkThreshold.h"
 
+#include <numeric>
+
 using namespace GeodesicTesting;
 
 namespace
@@ -58,21 +60,6 @@ struct Question
   }
 };
 
-std::vector<vtkPolyData*> Leaves(vtkDataObject* data)
-{
-  if (auto* one = vtkPolyData::SafeDownCast(data))
-  {
-    return { one };
-  }
-  std::vector<vtkPolyData*> leaves;
-  const auto at = vtk::TakeSmartPointer(vtkCompositeDataSet::SafeDownCast(data)->NewIterator());
-  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
-  {
-    leaves.push_back(vtkPolyData::SafeDownCast(at->GetCurrentDataObject()));
-  }
-  return leaves;
-}
-
 void CompareOutputs(
   Check& check, vtkGeodesicAlgorithm* a, vtkGeodesicAlgorithm* b, const std::string& what)
 {
@@ -84,8 +71,8 @@ void CompareOutputs(
       CompareArrays(check, table->GetRowData(), other->GetRowData(), what);
       continue;
     }
-    const auto ofA = Leaves(a->GetOutputDataObject(port));
-    const auto ofB = Leaves(b->GetOutputDataObject(port));
+    const auto ofA = LeavesOf(a->GetOutputDataObject(port));
+    const auto ofB = LeavesOf(b->GetOutputDataObject(port));
     check.That(ofA.size() == ofB.size(), what + ": as many blocks");
     for (std::size_t i = 0; i < std::min(ofA.size(), ofB.size()); ++i)
     {
@@ -214,15 +201,9 @@ void CheckSharing(Check& check)
   const auto grid = AsGrid(Square(4));
   AddPointArray(grid);
   AddCellArrays(std::vector<GridCell>(32), std::vector<std::size_t>(32, 0), grid->GetCellData());
-  vtkNew<vtkIntArray> title;
-  title->SetName("Title");
-  title->InsertNextValue(5);
-  grid->GetFieldData()->AddArray(title);
+  AddArray<vtkIntArray>(grid->GetFieldData(), "Title", { 5 });
   const vtkMTimeType time = grid->GetMTime();
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputDataObject(0, grid);
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
-  filter->RefineMeshOff();
+  const auto filter = PlainField(grid, PointSources({ { 0, 0, 0 } }));
   Messages messages(filter);
   messages.Update();
   vtkPolyData* output = filter->GetOutput();
@@ -276,9 +257,7 @@ void CheckFiltersThatMakeGrids(Check& check)
     vtkNew<vtkGeodesicDistanceField> filter;
     filter->SetInputConnection(upstream->GetOutputPort());
     filter->SetSourceData(PointSources({ source }));
-    Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty(), what + ": " + messages.Error());
+    RunWithoutError(check, filter, what);
     check.That(
       upstream->GetOutputDataObject(0)->IsA("vtkUnstructuredGrid") != 0, what + " gives a grid");
     CheckDistances(check, filter, DistanceTo({ source }), what);
@@ -293,8 +272,7 @@ void CheckFiltersThatMakeGrids(Check& check)
   field(threshold, { 0.1, 0.4, 0 }, "a threshold");
   vtkNew<vtkAppendFilter> append;
   append->AddInputData(left);
-  auto right = Square(8);
-  MovePoints(right, [](const Point& p) { return Point{ p[0] + 1.0, p[1], p[2] }; });
+  const auto right = Moved(Square(8), MovedBy(1.0));
   append->AddInputData(right);
   field(append, { 0.1, 0.4, 0 }, "data sets appended");
 }
@@ -353,22 +331,17 @@ void CheckCurvedCells(Check& check)
          Curved{ VTK_QUADRATIC_POLYGON, nodes(4, ofQuad), 1.0 } })
   {
     const std::string what = "cells of type " + std::to_string(one.Type);
-    std::vector<vtkIdType> ids;
-    for (std::size_t i = 0; i < one.Nodes.size(); ++i)
-    {
-      ids.push_back(static_cast<vtkIdType>(i));
-    }
+    std::vector<vtkIdType> ids(one.Nodes.size());
+    std::iota(ids.begin(), ids.end(), vtkIdType(0));
     GridAndPolyData surface{ one.Nodes, { { VTK_VERTEX, { 0 }, {} }, { one.Type, ids, {} } } };
     for (const bool isRefined : { false, true })
     {
-      vtkNew<vtkGeodesicDistanceField> filter;
-      filter->SetInputDataObject(0, surface.Grid());
-      filter->SetSourceData(Polyline({ { 0, 0, 0 }, { 0.25, 0.125, 0 } }));
+      const auto filter =
+        RefinedField(surface.Grid(), Polyline({ { 0, 0, 0 }, { 0.25, 0.125, 0 } }));
       filter->SetRefineMesh(isRefined);
       filter->GenerateSignedDistanceOn(); // needs one orientation
       Messages messages(filter);
-      messages.Update();
-      check.That(messages.Error().empty(), what + ": " + messages.Error());
+      messages.ExpectNoError(check, what);
       check.That(Contains(messages.Warning(), "1 vertex cell") &&
           !Contains(messages.Warning(), "two corners"),
         what + ": " + messages.Warning());
@@ -377,17 +350,12 @@ void CheckCurvedCells(Check& check)
       double area = 0.0;
       for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
       {
-        Point c[3];
-        for (vtkIdType k = 0; k < 3; ++k)
-        {
-          output->GetPoint(output->GetCell(i)->GetPointId(static_cast<int>(k)), c[k].data());
-        }
+        const std::vector<Point> c = CornersOf(output, i);
         area += 0.5 *
           ((c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[1][1] - c[0][1]) * (c[2][0] - c[0][0]));
-        check.Equal(output->GetCellData()->GetArray("number")->GetTuple1(i), 1.0,
-          what + ": the cell that a triangle is of");
+        check.Equal(CellValue(output, "number", i), 1.0, what + ": the cell that a triangle is of");
       }
-      check.That(std::abs(area - one.Area) < 1e-12, what + ": area " + std::to_string(area));
+      check.Near(area, one.Area, 1e-12, what + ": area");
     }
   }
 }
@@ -402,21 +370,15 @@ void CheckBentTriangle(Check& check)
   std::vector<double> distances[2];
   for (const bool isGrid : { false, true })
   {
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputDataObject(0,
-      isGrid ? vtkSmartPointer<vtkDataObject>(surface.Grid())
-             : vtkSmartPointer<vtkDataObject>(surface.PolyData()));
-    filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
-    filter->RefineMeshOff();
+    const auto filter = PlainField(isGrid ? vtkSmartPointer<vtkDataObject>(surface.Grid())
+                                          : vtkSmartPointer<vtkDataObject>(surface.PolyData()),
+      PointSources({ { 0, 0, 0 } }));
     filter->Update();
-    for (vtkIdType i = 0; i < 6; ++i)
-    {
-      distances[isGrid ? 1 : 0].push_back(Distances(filter)->GetTuple1(i));
-    }
+    distances[isGrid ? 1 : 0] = NumbersOf(Distances(filter));
   }
   for (std::size_t i = 0; i < 6; ++i)
   {
-    check.That(std::abs(distances[0][i] - distances[1][i]) < 1e-14, "a bent quadratic triangle");
+    check.Near(distances[0][i], distances[1][i], 1e-14, "a bent quadratic triangle");
   }
 }
 
@@ -431,15 +393,14 @@ void CheckOneGridOnAllPorts(Check& check)
     paths->SetInputDataObject(port, grid);
   }
   Messages messages(paths);
-  messages.Update();
-  check.That(messages.Error().empty(), "one grid on all ports: " + messages.Error());
+  messages.ExpectNoError(check, "one grid on all ports");
   check.That(Contains(messages.Warning(), "1 line among the surface's cells"),
     "one grid: " + messages.Warning());
   vtkDataArray* lengths = paths->GetOutput()->GetCellData()->GetArray("GeodesicDistance");
   for (vtkIdType i = 0; i < 4; ++i)
   {
     check.Equal(lengths->GetTuple1(i), 0.0, "a path of one grid");
-    const double id = paths->GetOutput()->GetCellData()->GetArray("SourceId")->GetTuple1(i);
+    const double id = CellValue(paths->GetOutput(), "SourceId", i);
     check.That(id == 0.0 || (i < 2 && id == 1.0), "the grid's cell is the source");
   }
 }
@@ -458,15 +419,10 @@ void CheckErrors(Check& check)
   const auto expect = [&](vtkDataObject* surface, const std::vector<std::string>& words)
   {
     filter->SetInputDataObject(0, surface);
-    messages.Update();
-    std::cout << messages.Error() << "\n";
-    for (const std::string& word : words)
+    messages.ExpectError(check, words, "a grid that is no surface");
+    for (vtkPolyData* leaf : LeavesOf(filter->GetOutputDataObject(0)))
     {
-      check.That(Contains(messages.Error(), word), "an error says " + word);
-    }
-    for (vtkPolyData* leaf : Leaves(filter->GetOutputDataObject(0)))
-    {
-      check.Equal(static_cast<double>(leaf->GetNumberOfPoints()), 0.0, "points after an error");
+      check.Equal(leaf->GetNumberOfPoints(), 0.0, "points after an error");
     }
   };
   const auto tetra = withCell(VTK_TETRA, { 0, 1, 2, 3 });
@@ -474,9 +430,7 @@ void CheckErrors(Check& check)
     { "Cell 2 of the surface (input port 0) is three-dimensional", "vtkTetra", "Extract Surface" });
   expect(withCell(VTK_QUADRATIC_TETRA, std::vector<vtkIdType>(10, 0)),
     { "Cell 2 of", "vtkQuadraticTetra", "Extract Surface" });
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Square(2));
-  blocks->SetBlock(1, tetra);
+  const auto blocks = Blocks({ Square(2), tetra });
   blocks->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "fluid");
   expect(blocks,
     { "Cell 2 of block 2 (fluid) of the surface (input port 0) is three-dimensional",
@@ -513,8 +467,7 @@ void CheckErrors(Check& check)
   expect(structured, { "is a vtkStructuredGrid", "Extract Surface" });
 
   filter->SetInputDataObject(0, GridOf(places, { triangle }));
-  messages.Update();
-  check.That(messages.Error().empty(), "after errors: " + messages.Error());
+  messages.ExpectNoError(check, "after errors");
 }
 
 }

@@ -22,41 +22,17 @@ using geodesictest::Random;
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-vtkSmartPointer<vtkPolyData> SurfaceOf(const geodesictest::PlainMesh& mesh)
-{
-  auto surface = PointSources(mesh.points);
-  vtkNew<vtkCellArray> polys;
-  for (const geodesictest::Triangle& t : mesh.triangles)
-  {
-    polys->InsertNextCell({ t[0], t[1], t[2] });
-  }
-  surface->SetPolys(polys);
-  return surface;
-}
-
 /// Says which points of a surface some points are.
 void Name(vtkPolyData* data, const std::vector<vtkIdType>& ids)
 {
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName("vtkOriginalPointIds");
-  for (const vtkIdType id : ids)
-  {
-    array->InsertNextValue(id);
-  }
-  data->GetPointData()->AddArray(array);
+  AddArray<vtkIdTypeArray>(data->GetPointData(), "vtkOriginalPointIds", ids);
 }
 
 /// Points of a surface that know which ones they are.
 vtkSmartPointer<vtkPolyData> Named(
   vtkPolyData* surface, const std::vector<vtkIdType>& ids, int dataType = VTK_DOUBLE)
 {
-  std::vector<Point> points;
-  for (const vtkIdType id : ids)
-  {
-    points.emplace_back();
-    surface->GetPoint(id, points.back().data());
-  }
-  auto data = PointSources(points, dataType);
+  auto data = PointSources(PlacesOf(surface, ids), dataType);
   Name(data, ids);
   return data;
 }
@@ -66,11 +42,6 @@ std::vector<vtkIdType> AllIds(vtkPolyData* surface)
   std::vector<vtkIdType> ids(static_cast<std::size_t>(surface->GetNumberOfPoints()));
   std::iota(ids.begin(), ids.end(), 0);
   return ids;
-}
-
-bool AreClose(double a, double b, double size)
-{
-  return a == b || std::abs(a - b) <= 1e-10 * size;
 }
 
 //------------------------------------------------------------------------------
@@ -138,19 +109,13 @@ geodesictest::PlainMesh Cut(const geodesictest::PlainMesh& mesh, double share, R
 void CheckField(Check& check, vtkPolyData* surface, vtkPolyData* source,
   const std::vector<double>& truth, const std::string& what)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
+  const auto filter = PlainField(surface, source);
   filter->MergeCoincidentPointsOff();
-  filter->SetInputData(surface);
-  filter->SetSourceData(source);
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), what + ": " + messages.Error());
+  RunWithoutError(check, filter, what);
   for (std::size_t i = 0; i < truth.size(); ++i)
   {
-    const double found = Distances(filter)->GetTuple1(static_cast<vtkIdType>(i));
-    check.That(AreClose(found, truth[i], surface->GetLength()),
-      what + ": distance " + std::to_string(found) + " instead of " + std::to_string(truth[i]));
+    check.Near(Distances(filter)->GetTuple1(static_cast<vtkIdType>(i)), truth[i],
+      1e-10 * surface->GetLength(), what + ": distance");
   }
 }
 
@@ -158,39 +123,27 @@ void CheckMatrixAndPaths(Check& check, vtkPolyData* surface, vtkPolyData* source
   const std::vector<double>& truth, const std::string& what)
 {
   const auto targets = Named(surface, AllIds(surface));
-  vtkNew<vtkGeodesicDistanceMatrix> matrix;
-  vtkNew<vtkGeodesicPaths> paths;
+  const auto matrix = FilterOn<vtkGeodesicDistanceMatrix>(surface, source);
+  const auto paths = FilterOn<vtkGeodesicPaths>(surface, source);
   matrix->SetTargetsData(targets);
   paths->SetTargetsData(targets);
-  for (vtkGeodesicAlgorithm* filter :
-    { static_cast<vtkGeodesicAlgorithm*>(matrix), static_cast<vtkGeodesicAlgorithm*>(paths) })
-  {
-    filter->MergeCoincidentPointsOff();
-    filter->SetInputDataObject(0, surface);
-    filter->SetSourceData(source);
-  }
-  Messages ofPaths(paths);
+  matrix->MergeCoincidentPointsOff();
+  paths->MergeCoincidentPointsOff();
   matrix->Update();
-  ofPaths.Update();
-  check.That(ofPaths.Error().empty(), what + ": " + ofPaths.Error());
-  for (std::size_t i = 0; i < truth.size(); ++i)
-  {
-    check.That(AreClose(matrix->GetOutput()->GetValue(static_cast<vtkIdType>(i), 1).ToDouble(),
-                 truth[i], surface->GetLength()),
-      what + ": matrix");
-  }
+  RunWithoutError(check, paths, what);
   std::vector<double> lengths(truth.size(), Infinite);
-  vtkCellData* data = paths->GetOutput()->GetCellData();
-  for (vtkIdType i = 0; i < paths->GetOutput()->GetNumberOfLines(); ++i)
+  vtkPolyData* output = paths->GetOutput();
+  for (vtkIdType i = 0; i < output->GetNumberOfLines(); ++i)
   {
-    lengths[static_cast<std::size_t>(data->GetArray("TargetId")->GetTuple1(i))] =
-      data->GetArray("GeodesicDistance")->GetTuple1(i);
+    lengths[static_cast<std::size_t>(CellValue(output, "TargetId", i))] =
+      CellValue(output, "GeodesicDistance", i);
   }
+  const double tolerance = 1e-10 * surface->GetLength();
   for (std::size_t i = 0; i < truth.size(); ++i)
   {
-    check.That(AreClose(lengths[i], truth[i], surface->GetLength()),
-      what + ": a path of length " + std::to_string(lengths[i]) + " instead of " +
-        std::to_string(truth[i]));
+    check.Near(matrix->GetOutput()->GetValue(static_cast<vtkIdType>(i), 1).ToDouble(), truth[i],
+      tolerance, what + ": matrix");
+    check.Near(lengths[i], truth[i], tolerance, what + ": the length of a path");
   }
 }
 
@@ -206,7 +159,7 @@ void CheckRandomSeams(Check& check)
       Random random(seed);
       const geodesictest::PlainMesh mesh =
         Cut(kind.make(random.between(20, 80), random), random.uniform(0.1, 0.6), random);
-      const auto surface = SurfaceOf(mesh);
+      const auto surface = Mesh(mesh.points, mesh.triangles);
       const geodesictest::Index face = random.below(mesh.triangles.size());
       const vtkIdType a = mesh.triangles[face][0];
       const vtkIdType b = mesh.triangles[face][1];
@@ -217,9 +170,7 @@ void CheckRandomSeams(Check& check)
       CheckMatrixAndPaths(check, surface, vertex, fromVertex.vertices, what);
 
       auto edge = Named(surface, { a, b });
-      vtkNew<vtkCellArray> line;
-      line->InsertNextCell({ 0, 1 });
-      edge->SetLines(line);
+      edge->SetLines(CellArray({ { 0, 1 } }));
       const auto fromEdge = geodesictest::bruteForceDistances(
         mesh, { {}, { { face, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } } } });
       CheckField(check, surface, edge, fromEdge.vertices, what + ", an edge");
@@ -232,13 +183,10 @@ void CheckRandomSeams(Check& check)
 /// and 4 (there one point), 2 and 7 are at one place.
 vtkSmartPointer<vtkPolyData> TwoSquares(bool areJoined)
 {
-  auto surface = PointSources({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 1, 0, 0 },
-    { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 } });
-  vtkNew<vtkCellArray> polys;
   const vtkIdType lower = areJoined ? 1 : 4;
-  polys->InsertNextCell({ 0, 1, 2, 3 });
-  polys->InsertNextCell({ lower, 5, 6, 7 });
-  surface->SetPolys(polys);
+  auto surface = Mesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 1, 0, 0 },
+                        { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 } },
+    { { 0, 1, 2, 3 }, { lower, 5, 6, 7 } });
   return surface;
 }
 
@@ -251,10 +199,9 @@ void CheckTwoSquares(Check& check)
     const double around = areJoined ? 2.0 : Infinite;
     for (const int dataType : { VTK_DOUBLE, VTK_FLOAT })
     {
-      vtkNew<vtkGeodesicDistanceMatrix> matrix;
+      const auto matrix =
+        FilterOn<vtkGeodesicDistanceMatrix>(surface, Named(surface, { 2, 7 }, dataType));
       matrix->MergeCoincidentPointsOff();
-      matrix->SetInputData(surface);
-      matrix->SetSourceData(Named(surface, { 2, 7 }, dataType));
       matrix->Update();
       const std::array<double, 4> expected = { 0.0, around, around, 0.0 };
       for (vtkIdType i = 0; i < 4; ++i)
@@ -272,14 +219,9 @@ void CheckTwoSquares(Check& check)
       what);
     // A line from one to the other at one place leads around.
     auto line = Named(surface, { 2, 7 });
-    vtkNew<vtkCellArray> cells;
-    cells->InsertNextCell({ 0, 1 });
-    line->SetLines(cells);
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->RefineMeshOff();
+    line->SetLines(CellArray({ { 0, 1 } }));
+    const auto filter = PlainField(surface, line);
     filter->MergeCoincidentPointsOff();
-    filter->SetInputData(surface);
-    filter->SetSourceData(line);
     Messages messages(filter);
     messages.Update();
     check.That(
@@ -296,10 +238,8 @@ void CheckIgnored(Check& check)
   {
     auto source = PointSources({ { 1, 1, 0 } });
     Name(source, { id });
-    vtkNew<vtkGeodesicDistanceMatrix> matrix;
+    const auto matrix = FilterOn<vtkGeodesicDistanceMatrix>(input, source);
     matrix->SetMergeCoincidentPoints(isMerged);
-    matrix->SetInputDataObject(0, input);
-    matrix->SetSourceData(source);
     matrix->SetTargetsData(PointSources({ { 0, 0, 0 }, { 2, 0, 0 } }));
     Messages messages(matrix);
     messages.Update();
@@ -311,9 +251,8 @@ void CheckIgnored(Check& check)
   const auto holds = [&check](const std::pair<double, double>& found,
                        const std::pair<double, double>& expected, const std::string& what)
   {
-    check.That(
-      AreClose(found.first, expected.first, 1.0) && AreClose(found.second, expected.second, 1.0),
-      what + ": " + std::to_string(found.first) + ", " + std::to_string(found.second));
+    check.Near(found.first, expected.first, 1e-10, what);
+    check.Near(found.second, expected.second, 1e-10, what);
   };
   const std::pair<double, double> left = { root, Infinite };
   for (const vtkIdType id :
@@ -323,10 +262,8 @@ void CheckIgnored(Check& check)
   }
   holds(distancesFrom(surface, 7, false), { Infinite, root }, "the point that it is");
   holds(distancesFrom(surface, 7, true), { root, root }, "points are merged");
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, surface);
-  auto far = Square(1);
-  MovePoints(far, [](const Point& p) { return Point{ p[0], p[1], p[2] + 5.0 }; });
+  const auto blocks = Blocks({ surface });
+  const auto far = Moved(Square(1), MovedBy(0.0, 0.0, 5.0));
   blocks->SetBlock(1, far);
   holds(distancesFrom(blocks, 7, false), left, "several blocks");
 }
@@ -336,19 +273,12 @@ void CheckLines(Check& check)
 {
   const auto surface = TwoSquares(true);
   auto lines = Named(surface, { 3, 2, 7, 6, 5 });
-  vtkNew<vtkCellArray> cells;
-  cells->InsertNextCell({ 0, 1 });
-  cells->InsertNextCell({ 2, 3 });
-  cells->InsertNextCell({ 3, 4 });
-  lines->SetLines(cells);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
+  lines->SetLines(CellArray({ { 0, 1 }, { 2, 3 }, { 3, 4 } }));
+  const auto filter = PlainField(surface, lines);
   filter->MergeCoincidentPointsOff();
-  filter->SetInputData(surface);
-  filter->SetSourceData(lines);
   filter->Update();
-  check.Equal(static_cast<double>(OutputOf(filter, 1)->GetNumberOfLines()), 2.0,
-    "lines that end on both sides of a seam");
+  check.Equal(
+    OutputOf(filter, 1)->GetNumberOfLines(), 2.0, "lines that end on both sides of a seam");
 }
 
 }

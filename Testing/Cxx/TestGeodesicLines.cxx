@@ -9,9 +9,7 @@
 #include "truth/RandomMeshKinds.h"
 
 #include "vtkCellType.h"
-#include "vtkCutter.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkPlane.h"
 #include "vtkUnstructuredGrid.h"
 
 using namespace GeodesicTesting;
@@ -20,18 +18,6 @@ namespace
 {
 
 using geodesictest::Random;
-
-vtkSmartPointer<vtkPolyData> SurfaceOf(const geodesictest::PlainMesh& mesh)
-{
-  auto surface = PointSources(mesh.points);
-  vtkNew<vtkCellArray> polys;
-  for (const geodesictest::Triangle& t : mesh.triangles)
-  {
-    polys->InsertNextCell({ t[0], t[1], t[2] });
-  }
-  surface->SetPolys(polys);
-  return surface;
-}
 
 template <typename Item>
 void Shuffle(std::vector<Item>& items, Random& random)
@@ -170,8 +156,8 @@ void CheckRandomCurves(Check& check)
         }
       } while (DoMeet(curves));
       const std::vector<Segment> lines = LinesAtRandom(curves, random);
-      CompareAll(check, SurfaceOf(mesh), SourceOf(lines, random), JoinedByHand(curves, lines),
-        std::string(kind.name) + ", seed " + std::to_string(seed));
+      CompareAll(check, Mesh(mesh.points, mesh.triangles), SourceOf(lines, random),
+        JoinedByHand(curves, lines), std::string(kind.name) + ", seed " + std::to_string(seed));
     }
   }
 }
@@ -214,22 +200,17 @@ std::vector<Curve> LoopsOf(std::vector<Segment> lines)
 /// Sections of a body with four loops: from a torus, by two planes.
 void CheckSections(Check& check)
 {
-  const auto torus = SurfaceOf(geodesictest::torus(12, 30, 3.0));
-  vtkNew<vtkPlane> plane;
-  vtkNew<vtkCutter> slice;
-  slice->SetInputData(torus);
-  slice->SetCutFunction(plane);
+  const geodesictest::PlainMesh mesh = geodesictest::torus(12, 30, 3.0);
+  const auto torus = Mesh(mesh.points, mesh.triangles);
   std::vector<Segment> lines;
   for (const Point& normal : { Point{ 1, 0.1, 0.02 }, Point{ 0.1, -1, 0.3 } })
   {
-    plane->SetNormal(normal.data());
-    plane->SetOrigin(0.0123, 0.0217, 0.0312);
-    slice->Update();
-    const std::vector<Segment> more = SegmentsOf(slice->GetOutput());
+    const std::vector<Segment> more =
+      SegmentsOf(Section(torus, normal, { 0.0123, 0.0217, 0.0312 }));
     lines.insert(lines.end(), more.begin(), more.end());
   }
   const std::vector<Curve> loops = LoopsOf(lines);
-  check.Equal(static_cast<double>(loops.size()), 4.0, "loops of the sections");
+  check.Equal(loops.size(), 4.0, "loops of the sections");
   const ByHand curves = JoinedByHand(loops, lines);
   CompareAll(check, torus, LinesOf(lines), curves, "sections of a torus", true);
   Random random(5);
@@ -237,14 +218,11 @@ void CheckSections(Check& check)
   CompareAll(check, torus, LinesOf(lines, false), JoinedByHand(loops, lines),
     "sections of a torus, shuffled");
 
-  vtkNew<vtkGeodesicDistanceField> off;
-  off->RefineMeshOff();
-  off->SetInputData(torus);
-  off->SetSourceData(LinesOf(lines));
+  const auto off = PlainField(torus, LinesOf(lines));
   off->JoinLinesOff();
   off->Update();
-  check.Equal(static_cast<double>(OutputOf(off, 1)->GetNumberOfLines()),
-    static_cast<double>(lines.size()), "curves where lines are not joined");
+  check.Equal(
+    OutputOf(off, 1)->GetNumberOfLines(), lines.size(), "curves where lines are not joined");
 }
 
 //------------------------------------------------------------------------------
@@ -320,41 +298,21 @@ void CheckPolylines(Check& check)
   const std::vector<Point> p = { { 0.1, 0.2, 0 }, { 0.3, 0.4, 0 }, { 0.5, 0.35, 0 },
     { 0.7, 0.6, 0 }, { 0.9, 0.7, 0 }, { 0.4, 0.8, 0 } };
   auto source = PointSources(p);
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell({ 0, 1, 2 });
-  lines->InsertNextCell({ 2, 3 });
-  lines->InsertNextCell({ 4, 3 });
-  lines->InsertNextCell({ 4, 5, 0 });
-  source->SetLines(lines);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(Square(8));
-  filter->SetSourceData(source);
+  source->SetLines(CellArray({ { 0, 1, 2 }, { 2, 3 }, { 4, 3 }, { 4, 5, 0 } }));
+  const auto filter = PlainField(Square(8), source);
   filter->Update();
   vtkPolyData* output = OutputOf(filter, 1);
   vtkDataArray* ids = output->GetCellData()->GetArray("SourceId");
-  check.Equal(static_cast<double>(output->GetNumberOfLines()), 3.0, "polylines and joined lines");
-  vtkIdType line = 0;
-  for (const double id : { 0.0, 1.0, 3.0 })
-  {
-    check.Equal(line < ids->GetNumberOfTuples() ? ids->GetTuple1(line) : -1.0, id, "their ids");
-    ++line;
-  }
+  check.Equal(output->GetNumberOfLines(), 3.0, "polylines and joined lines");
+  check.That(NumbersOf(ids) == std::vector<double>{ 0.0, 1.0, 3.0 }, "their ids");
 
   // Loops of the boundary go on after the cells.
-  vtkNew<vtkGeodesicDistanceMatrix> matrix;
-  matrix->SetInputData(Square(8));
-  matrix->SetSourceData(source);
+  const auto matrix = FilterOn<vtkGeodesicDistanceMatrix>(Square(8), source);
   matrix->SetSourceTypeToCurveAndBoundary();
   matrix->Update();
-  const std::array<std::string, 5> names = { "TargetId", "Source0", "Source1", "Source3",
-    "Source4" };
-  check.Equal(static_cast<double>(matrix->GetOutput()->GetNumberOfColumns()), 5.0, "columns");
-  for (vtkIdType i = 0; i < std::min<vtkIdType>(5, matrix->GetOutput()->GetNumberOfColumns()); ++i)
-  {
-    check.That(matrix->GetOutput()->GetColumnName(i) == names[static_cast<std::size_t>(i)],
-      "the name of column " + std::to_string(i));
-  }
+  check.That(ColumnsOf(matrix->GetOutput()) ==
+      std::vector<std::string>{ "TargetId", "Source0", "Source1", "Source3", "Source4" },
+    "the names of columns");
 }
 
 /// Messages name a point by the cell that was given, not by the curve.
@@ -363,28 +321,17 @@ void CheckMessages(Check& check)
   const std::vector<Segment> lines = { { Point{ 0.6, 0.6, 0 }, Point{ 0.6, 0.3, 0.5 } },
     { Point{ 0.1, 0.1, 0 }, Point{ 0.3, 0.3, 0 } },
     { Point{ 0.6, 0.6, 0 }, Point{ 0.3, 0.3, 0 } } };
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(Square(8));
-  filter->SetSourceData(LinesOf(lines));
+  const auto filter = PlainField(Square(8), LinesOf(lines));
   Messages messages(filter);
-  messages.Update();
-  check.That(Contains(messages.Warning(), "at 1 of 4 points: point 1 of cell 0."),
-    "a far point of joined lines: " + messages.Warning());
+  messages.ExpectWarning(
+    check, { "at 1 of 4 points: point 1 of cell 0." }, "a far point of joined lines");
 
-  vtkNew<vtkMultiBlockDataSet> surface;
-  const auto far = Square(2);
-  MovePoints(far, [](const Point& p) { return Point{ p[0] + 2.0, p[1], p[2] }; });
-  surface->SetBlock(0, Square(2));
-  surface->SetBlock(1, far);
-  filter->SetInputData(surface);
+  filter->SetInputData(Blocks({ Square(2), Moved(Square(2), MovedBy(2.0)) }));
   filter->SetSourceData(LinesOf({ { Point{ 0.1, 0.1, 0 }, Point{ 0.3, 0.3, 0 } },
     { Point{ 2.6, 0.6, 0 }, Point{ 0.3, 0.3, 0 } } }));
-  messages.Update();
-  check.That(
-    Contains(messages.Error(),
-      "Point 1 of cell 1 of the source (input port 1) and point 0 of cell 1 of the source"),
-    "lines between two parts: " + messages.Error());
+  messages.ExpectError(check,
+    { "Point 1 of cell 1 of the source (input port 1) and point 0 of cell 1 of the source" },
+    "lines between two parts");
 }
 
 }

@@ -71,16 +71,6 @@ vtkSmartPointer<vtkGeodesicDistanceMatrix> MatrixOf(
   return matrix;
 }
 
-Words ColumnsOf(vtkTable* table)
-{
-  Words names;
-  for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
-  {
-    names.emplace_back(table->GetColumnName(i));
-  }
-  return names;
-}
-
 std::string Joined(const Words& words)
 {
   std::string text;
@@ -95,9 +85,7 @@ std::string Joined(const Words& words)
 void CheckColumns(
   Check& check, vtkGeodesicDistanceMatrix* matrix, const Words& expected, const std::string& what)
 {
-  Messages messages(matrix);
-  messages.Update();
-  check.That(messages.Error().empty(), what + ": " + messages.Error());
+  RunWithoutError(check, matrix, what);
   Words all = { "TargetId" };
   all.insert(all.end(), expected.begin(), expected.end());
   const Words columns = ColumnsOf(matrix->GetOutput());
@@ -144,13 +132,7 @@ void CheckCells(Check& check)
     Segment{ Point{ 0.2, 0.1, 0 }, Point{ 0.3, 0.1, 0 } } };
   auto source = LinesOf(lines);
   source->GetCellData()->AddArray(Strings({ "first", "second", "third" }));
-  vtkNew<vtkIntArray> ids;
-  ids->SetName("ids");
-  for (const int id : { 8, 4, 4 })
-  {
-    ids->InsertNextValue(id);
-  }
-  source->GetCellData()->AddArray(ids);
+  AddArray<vtkIntArray>(source->GetCellData(), "ids", { 8, 4, 4 });
   const auto matrix = MatrixOf(source);
   matrix->SetSourceTypeToCurveAndBoundary();
   CheckColumns(check, matrix, { "first", "second", "Source3" }, "joined lines");
@@ -161,10 +143,8 @@ void CheckCells(Check& check)
   matrix->SetSourceTypeToSurfaceBoundary();
   CheckColumns(check, matrix, { "Source0" }, "the boundary alone");
 
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Landmarks(2, Strings({ "a", "b" })));
-  blocks->SetBlock(1, vtkNew<vtkPolyData>());
-  blocks->SetBlock(2, source);
+  const auto blocks =
+    Blocks({ Landmarks(2, Strings({ "a", "b" })), vtkNew<vtkPolyData>(), source });
   CheckColumns(check, MatrixOf(blocks), { "a", "b", "first", "second" }, "blocks");
 }
 
@@ -178,10 +158,8 @@ void CheckTargets(Check& check)
   matrix->SetSourceTypeToSurfaceBoundary();
   CheckColumns(check, matrix, { "TargetName", "Source0" }, "the points are no source");
 
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Landmarks(2, Numbers<vtkIntArray>({ 5, 6 })));
-  blocks->SetBlock(1, vtkNew<vtkPolyData>());
-  blocks->SetBlock(2, Landmarks(1, Strings({ "c" })));
+  const auto blocks = Blocks({ Landmarks(2, Numbers<vtkIntArray>({ 5, 6 })), vtkNew<vtkPolyData>(),
+    Landmarks(1, Strings({ "c" })) });
   const auto ofBlocks = MatrixOf(points, blocks);
   ofBlocks->SetTargetNameArrayName(Name);
   CheckColumns(check, ofBlocks, { "TargetName", "Cz", "Cz_1", "Source2" }, "blocks");
@@ -204,11 +182,10 @@ void CheckTargetPositions(Check& check)
     vtkTable* table = matrix->GetOutput();
     auto* positions = vtkDataArray::SafeDownCast(table->GetColumnByName("TargetPosition"));
     check.That(positions && positions == table->GetColumn(1), "TargetPosition comes second");
-    check.Equal(static_cast<double>(table->GetNumberOfRows()), 3.0, "three targets");
+    check.Equal(table->GetNumberOfRows(), 3.0, "three targets");
     for (vtkIdType i = 0; positions && i < 3; ++i)
     {
-      Point p;
-      positions->GetTuple(i, p.data());
+      const Point p = TupleAt(positions, i);
       check.That(p == places[static_cast<std::size_t>(i)], "a target is where it was");
     }
   }
@@ -221,15 +198,8 @@ void CheckTargetPositions(Check& check)
 
 void CheckError(Check& check, vtkGeodesicDistanceMatrix* matrix, const Words& words)
 {
-  Messages messages(matrix);
-  messages.Update();
-  for (const std::string& word : words)
-  {
-    check.That(
-      Contains(messages.Error(), word), "an error that says \"" + word + "\": " + messages.Error());
-  }
-  check.Equal(
-    static_cast<double>(matrix->GetOutput()->GetNumberOfColumns()), 0.0, "the output is empty");
+  Messages(matrix).ExpectError(check, words, "a bad array of names");
+  check.Equal(matrix->GetOutput()->GetNumberOfColumns(), 0.0, "the output is empty");
 }
 
 void CheckErrors(Check& check)
@@ -262,10 +232,7 @@ void CheckErrors(Check& check)
 /// one in which these are the sources.
 void CheckFewTargets(Check& check)
 {
-  const auto surface = ChangedSphere(30, 20,
-    [](const Point& p) {
-      return Point{ p[0] + 0.02 * std::sin(20.0 * p[1]), 0.6 * p[1], 1.7 * p[2] };
-    });
+  const auto surface = WavySphere(30, 20);
   const auto some = [&](int first, int step)
   {
     std::vector<Point> points;

@@ -82,11 +82,11 @@ vtkSmartPointer<vtkPolyData> Surface()
   return surface;
 }
 
-void SetUp(vtkGeodesicDistanceField* filter, vtkPolyData* surface)
+vtkSmartPointer<vtkGeodesicDistanceField> FilterOf(vtkPolyData* surface)
 {
-  filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ Source }));
+  auto filter = RefinedField(surface, PointSources({ Source }));
   filter->SetRefinementTolerance(0.00002);
+  return filter;
 }
 
 void CheckRefused(
@@ -99,9 +99,7 @@ void CheckRefused(
 void CheckRight(Check& check, vtkGeodesicDistanceField* filter, const std::string& what)
 {
   filter->Modified();
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), what + ": no error afterwards: " + messages.Error());
+  RunWithoutError(check, filter, what + ": no error afterwards");
   CheckDistances(check, filter, DistanceTo({ Source }), what + ", afterwards");
 }
 
@@ -119,8 +117,7 @@ void CheckHelpers(Check& check)
   Refused = 0;
   for (int run = 0; run < 20 && Refused == 0; ++run)
   {
-    vtkNew<vtkGeodesicDistanceField> filter;
-    SetUp(filter, surface);
+    const auto filter = FilterOf(surface);
     filter->RefineMeshOff();
     filter->SetSourceTypeToSurfaceBoundary();
     Messages messages(filter);
@@ -181,8 +178,7 @@ void CheckLimits(Check& check, int threads)
   {
     const std::string name =
       std::to_string(threads) + " threads with " + std::to_string(more >> 10) + " kB";
-    vtkNew<vtkGeodesicDistanceField> filter;
-    SetUp(filter, surface);
+    const auto filter = FilterOf(surface);
     Messages messages(filter);
     {
       const Limit limit(more);
@@ -207,8 +203,7 @@ void CheckStage(
   Check& check, int threads, vtkPolyData* surface, double progress, const std::string& doing)
 {
   const std::string name = std::to_string(threads) + " threads, no memory for " + doing;
-  vtkNew<vtkGeodesicDistanceField> filter;
-  SetUp(filter, surface);
+  const auto filter = FilterOf(surface);
   Messages messages(filter);
   {
     Listener listener(filter, vtkCommand::ProgressEvent,
@@ -270,18 +265,13 @@ void CheckMoreThanThereIs(Check& check)
   values->SetArray(memory,
     static_cast<vtkIdType>(values->GetNumberOfComponents()) * surface->GetNumberOfPoints(), 1);
   surface->GetPointData()->AddArray(values);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ Source }));
+  const auto filter = RefinedField(surface, PointSources({ Source }));
   Messages messages(filter);
   messages.Update();
   CheckRefused(check, filter, messages, "more memory than there is");
-  for (const char* words :
-    { "writing the outputs, after all was computed", "MB more", "available" })
-  {
-    check.That(Contains(messages.Error(), words),
-      std::string("the error says \"") + words + "\": " + messages.Error());
-  }
+  CheckWords(check, messages.Error(),
+    { "writing the outputs, after all was computed", "MB more", "available" },
+    "more memory than there is");
   surface->GetPointData()->RemoveArray("Values");
   CheckRight(check, filter, "more memory than there is");
   values->Initialize();

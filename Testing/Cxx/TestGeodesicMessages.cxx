@@ -95,14 +95,11 @@ void CheckOneError(Check& check, vtkGeodesicAlgorithm* filter,
   Shown shown;
   const bool goesOn = filter->GetExecutive()->Update() == 1;
   const std::string first = shown.Errors().empty() ? "" : shown.Errors().front();
-  check.Equal(static_cast<double>(shown.Errors().size()), 1.0, name + ": messages");
+  check.Equal(shown.Errors().size(), 1.0, name + ": messages");
   check.That(goesOn, name + ": the pipeline goes on");
   check.That(filter->GetErrorCode() == vtkErrorCode::UserError, name + ": the code of an error");
   check.That(shown.Warnings().empty(), name + ": no warning beside the error");
-  for (const std::string& word : words)
-  {
-    check.That(Contains(first, word), name + ": the message says \"" + word + "\": " + first);
-  }
+  CheckWords(check, first, words, name);
   const std::string message = filter->GetErrorMessage();
   check.That(!message.empty() && Contains(first, "): " + message),
     name + ": scripts get the message: " + message);
@@ -111,8 +108,7 @@ void CheckOneError(Check& check, vtkGeodesicAlgorithm* filter,
   {
     filter->Update(port);
   }
-  check.Equal(static_cast<double>(shown.Errors().size()), 1.0,
-    name + ": messages after all outputs were asked for");
+  check.Equal(shown.Errors().size(), 1.0, name + ": messages after all outputs were asked for");
 }
 
 void CheckWhatIsMissing(Check& check)
@@ -123,9 +119,7 @@ void CheckWhatIsMissing(Check& check)
     CheckOneError(
       check, filter, { "choose a Source", "Source Type", "Surface Boundary" }, "without a source");
   }
-  vtkNew<vtkGeodesicPaths> paths;
-  paths->SetInputData(Square(2));
-  paths->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  const auto paths = FilterOn<vtkGeodesicPaths>(Square(2), PointSources({ { 0, 0, 0 } }));
   CheckOneError(check, paths, { "port 2", "Targets" }, "without targets");
 }
 
@@ -138,9 +132,7 @@ void CheckOtherKindsOfData(Check& check)
   grid->SetPoints(Square(2)->GetPoints());
   const vtkIdType triangle[] = { 0, 1, 4 };
   grid->InsertNextCell(VTK_QUADRATIC_EDGE, 3, triangle);
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Square(2));
-  blocks->SetBlock(1, image);
+  const auto blocks = Blocks({ Square(2), image });
   for (const vtkSmartPointer<vtkDataObject>& data :
     std::vector<vtkSmartPointer<vtkDataObject>>{ image.Get(), grid.Get(), blocks.Get() })
   {
@@ -181,9 +173,7 @@ void CheckSurfacesWithoutFaces(Check& check)
 /// Wrong properties, too; and what the executive itself has to say is still said.
 void CheckOtherErrors(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(2));
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  const auto filter = RefinedField(Square(2), PointSources({ { 0, 0, 0 } }));
   filter->SetMaximumDistance(-1.0);
   CheckOneError(check, filter, { "MaximumDistance" }, "a wrong property");
   filter->SetInputData(nullptr);

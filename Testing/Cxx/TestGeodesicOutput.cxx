@@ -43,10 +43,7 @@ void CheckArrays(Check& check)
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->DeepCopy(surface);
   const vtkMTimeType before = surface->GetMTime();
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(surface);
-  filter->SetSourceData(Polyline({ { 0, 0.5, 0 }, { 1, 0.5, 0 } }));
+  const auto filter = PlainField(surface, Polyline({ { 0, 0.5, 0 }, { 1, 0.5, 0 } }));
   Messages messages(filter);
   messages.Update();
 
@@ -78,22 +75,19 @@ void CheckArrays(Check& check)
   check.That(surface->GetPointData()->GetScalars() == surface->GetPointData()->GetArray("Heat"),
     "the input's scalars");
   check.Equal(surface->GetFieldData()->GetNumberOfArrays(), 1, "the input's field arrays");
-  check.Equal(static_cast<double>(surface->GetPolys()->GetNumberOfConnectivityIds()),
-    static_cast<double>(copy->GetPolys()->GetNumberOfConnectivityIds()), "the input's cells");
+  check.Equal(surface->GetPolys()->GetNumberOfConnectivityIds(),
+    copy->GetPolys()->GetNumberOfConnectivityIds(), "the input's cells");
 }
 
 void CheckCurveOutput(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(Square(4));
-  filter->SetSourceData(Polyline({ { 0.1, 0.55, 0 }, { 0.9, 0.55, 0 } }));
+  const auto filter = PlainField(Square(4), Polyline({ { 0.1, 0.55, 0 }, { 0.9, 0.55, 0 } }));
   filter->Update();
-  auto* curves = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+  auto* curves = OutputOf(filter, 1);
   check.Equal(curves->GetPoints()->GetDataType(), VTK_DOUBLE, "type of the curve's points");
   // Between x = 0.1 and 0.9 the line y = 0.55 crosses 3 upright edges and 3 diagonals.
-  check.Equal(static_cast<double>(curves->GetNumberOfPoints()), 8.0, "points of the curve");
-  check.Equal(static_cast<double>(curves->GetNumberOfLines()), 1.0, "lines of the curve");
+  check.Equal(curves->GetNumberOfPoints(), 8.0, "points of the curve");
+  check.Equal(curves->GetNumberOfLines(), 1.0, "lines of the curve");
   double last = 0.0;
   for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i)
   {
@@ -121,18 +115,14 @@ void CheckMaximumDistance(Check& check)
   const int n = 32;
   const double limit = 0.3;
   const Distance truth = DistanceTo({ { 0, 0, 0 } });
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(Square(n));
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  const auto filter = PlainField(Square(n), PointSources({ { 0, 0, 0 } }));
   filter->SetMaximumDistance(limit);
   filter->Update();
   vtkIdType finite = 0;
   vtkPolyData* output = filter->GetOutput();
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
-    Point p;
-    output->GetPoint(i, p.data());
+    const Point p = PointAt(output, i);
     const double distance = Distances(filter)->GetTuple1(i);
     finite += std::isfinite(distance) ? 1 : 0;
     check.That(truth(p) > limit || std::abs(distance - truth(p)) < 1e-14, "exact within the limit");
@@ -155,8 +145,7 @@ void CheckPropertiesAndPrinting(Check& check)
   check.Equal(filter->GetRelativeError(), 0.001, "relative error by default");
   check.That(filter->GetRefineMesh(), "the mesh is refined by default");
   check.That(!filter->GetToleranceIsAbsolute(), "the tolerance is relative by default");
-  check.Equal(
-    static_cast<double>(filter->GetMaximumNumberOfCells()), 50000000.0, "most cells by default");
+  check.Equal(filter->GetMaximumNumberOfCells(), 50000000.0, "most cells by default");
   filter->SetAccuracyToApproximate();
   filter->SetRelativeError(0.25);
   filter->RefineMeshOff();

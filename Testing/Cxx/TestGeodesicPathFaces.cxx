@@ -26,12 +26,8 @@ double DiagonalOf(vtkPolyData* surface)
 /// A vertex and a line before the faces, which move the numbers of these.
 void AddOtherCells(vtkPolyData* surface)
 {
-  vtkNew<vtkCellArray> vertices;
-  vertices->InsertNextCell({ 0 });
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell({ 0, 1 });
-  surface->SetVerts(vertices);
-  surface->SetLines(lines);
+  surface->SetVerts(CellArray({ { 0 } }));
+  surface->SetLines(CellArray({ { 0, 1 } }));
 }
 
 /// Blocks with the faces at random, each with its own points; block 1 is null, block 2 has other
@@ -67,17 +63,9 @@ vtkSmartPointer<vtkMultiBlockDataSet> AtRandomInBlocks(
     {
       AddOtherCells(block);
       // Cell data of all cells: vertices and lines are no barriers.
-      vtkNew<vtkIntArray> barriers;
-      barriers->SetName("barrier");
-      for (std::ptrdiff_t i = 0; i < others; ++i)
-      {
-        barriers->InsertNextValue(0);
-      }
-      for (const bool isBarrier : part.isBarrier)
-      {
-        barriers->InsertNextValue(isBarrier ? 1 : 0);
-      }
-      block->GetCellData()->AddArray(barriers);
+      std::vector<int> barriers(static_cast<std::size_t>(others), 0);
+      barriers.insert(barriers.end(), part.isBarrier.begin(), part.isBarrier.end());
+      AddArray<vtkIntArray>(block->GetCellData(), "barrier", barriers);
     }
     blocks->SetBlock(index, block);
   }
@@ -106,17 +94,14 @@ double CheckRandom(
   std::vector<std::ptrdiff_t> faceOf;
   const bool isInBlocks = random.chance(0.5);
   const auto blocks = AtRandomInBlocks(made, random, faceOf);
-  vtkNew<vtkGeodesicPaths> filter;
+  const auto filter = FilterOn<vtkGeodesicPaths>(
+    isInBlocks ? static_cast<vtkDataObject*>(blocks.Get()) : surface.Get(),
+    SourceOf(made.open, sources));
   filter->GenerateFaceIdsOn();
   filter->SetMergeCoincidentPoints(isInBlocks);
   filter->SetBarrierArrayName("barrier");
-  filter->SetInputDataObject(
-    0, isInBlocks ? static_cast<vtkDataObject*>(blocks.Get()) : surface.Get());
-  filter->SetSourceData(SourceOf(made.open, sources));
   filter->SetTargetsData(PointSources(targets));
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), name + ": " + messages.Error());
+  RunWithoutError(check, filter, name);
   pieces += filter->GetOutput()->GetNumberOfPoints() - filter->GetOutput()->GetNumberOfLines();
   const double error = CheckFacesOfPaths(
     check, filter->GetOutput(),
@@ -170,9 +155,8 @@ void CheckKindsOfCells(Check& check)
     {
       targets.push_back({ 0.5 + 0.5 * std::sin(1.7 * i), 0.5 + 0.5 * std::cos(2.9 * i), 0.0 });
     }
-    vtkNew<vtkGeodesicPaths> filter;
-    filter->SetInputData(surface);
-    filter->SetSourceData(Polyline({ { 0.3, 0.2, 0.0 }, { 0.4, 0.9, 0.0 } }));
+    const auto filter =
+      FilterOn<vtkGeodesicPaths>(surface, Polyline({ { 0.3, 0.2, 0.0 }, { 0.4, 0.9, 0.0 } }));
     filter->SetTargetsData(PointSources(targets));
     filter->Update();
     check.That(
@@ -180,8 +164,7 @@ void CheckKindsOfCells(Check& check)
       name + ": FaceId is not there by default");
     filter->GenerateFaceIdsOn();
     filter->Update();
-    check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfLines()), 60.0,
-      name + ": targets that are reached");
+    check.Equal(filter->GetOutput()->GetNumberOfLines(), 60.0, name + ": targets that are reached");
     const double error = CheckFacesOfPaths(
       check, filter->GetOutput(),
       [&](vtkIdType cell)
@@ -198,10 +181,8 @@ void CheckKindsOfCells(Check& check)
 void CheckPoints(Check& check)
 {
   const auto surface = Square(2);
-  vtkNew<vtkGeodesicPaths> filter;
+  const auto filter = FilterOn<vtkGeodesicPaths>(surface, PointSources({ { 0.7, 0.6, 0.0 } }));
   filter->GenerateFaceIdsOn();
-  filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ { 0.7, 0.6, 0.0 } }));
   filter->SetTargetsData(PointSources({ { 0.7, 0.6, 0.0 } }));
   filter->Update();
   vtkDataArray* cells = filter->GetOutput()->GetPointData()->GetArray("FaceId");
@@ -209,12 +190,7 @@ void CheckPoints(Check& check)
     cells->GetNumberOfTuples() == 2 && cells->GetTuple1(0) == 6.0 && cells->GetTuple1(1) == 6.0,
     "a target on the source: its face, twice");
 
-  auto island = Square(1);
-  MovePoints(island, [](const Point& p) { return Point{ p[0] + 5.0, p[1], p[2] }; });
-  vtkNew<vtkMultiBlockDataSet> two;
-  two->SetBlock(0, surface);
-  two->SetBlock(1, island);
-  filter->SetInputData(two);
+  filter->SetInputData(Blocks({ surface, Moved(Square(1), MovedBy(5.0)) }));
   filter->SetTargetsData(PointSources({ { 5.5, 0.25, 0.0 } }));
   Messages messages(filter);
   messages.Update();

@@ -22,26 +22,12 @@ namespace
 /// The points of a line of the output.
 std::vector<Point> LinePoints(vtkPolyData* output, vtkIdType line)
 {
-  vtkNew<vtkIdList> ids;
-  output->GetLines()->GetCellAtId(line, ids);
   std::vector<Point> points;
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  for (const vtkIdType id : IdsOf(output->GetLines(), line))
   {
-    Point p;
-    output->GetPoint(ids->GetId(i), p.data());
-    points.push_back(p);
+    points.push_back(PointAt(output, id));
   }
   return points;
-}
-
-double Length(const Point& a, const Point& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
-double CellValue(vtkPolyData* output, const char* name, vtkIdType line)
-{
-  return output->GetCellData()->GetArray(name)->GetTuple1(line);
 }
 
 /// Checks what holds of every output: arrays of the right types, lengths that are those of the
@@ -63,14 +49,10 @@ void CheckArrays(Check& check, vtkPolyData* output, const std::string& what)
   for (vtkIdType line = 0; line < output->GetNumberOfLines(); ++line)
   {
     const std::vector<Point> points = LinePoints(output, line);
-    double sum = 0.0;
-    for (std::size_t i = 1; i < points.size(); ++i)
-    {
-      sum += Length(points[i - 1], points[i]);
-    }
     const double length = CellValue(output, "GeodesicDistance", line);
     check.That(points.size() >= 2, what + "two points at least");
-    check.That(std::abs(sum - length) <= 1e-12 * length, what + "the length is that of the line");
+    check.Near(
+      LengthOf(output, line), length, 1e-12 * length, what + "the length is that of the line");
     check.Equal(left->GetTuple1(point), length, what + "all is left at the target");
     point += static_cast<vtkIdType>(points.size());
     check.Equal(left->GetTuple1(point - 1), 0.0, what + "nothing is left at the source");
@@ -87,22 +69,21 @@ void CheckStraightPathsInTheSquare(Check& check)
   filter->SetTargetsData(
     PointSources({ { 0.9, 0.35, 0.25 }, { 0.2, 0.5, 0.0 }, { 0.1, 0.95, 0 } }));
   Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty() && Contains(messages.Warning(), "at 1 of 3 points: point 0."),
+  messages.ExpectNoError(check, "straight paths: a target beside the square is told");
+  CheckWords(check, messages.Warning(), { "at 1 of 3 points: point 0." },
     "straight paths: a target beside the square is told");
   vtkPolyData* output = filter->GetOutput();
-  check.Equal(static_cast<double>(output->GetNumberOfLines()), 3, "a line for each target");
+  check.Equal(output->GetNumberOfLines(), 3, "a line for each target");
   CheckArrays(check, output, "straight paths: ");
   const double expected[3] = { 0.7, 0.0, std::hypot(0.1, 0.05) };
   for (vtkIdType i = 0; i < 3; ++i)
   {
-    check.Equal(CellValue(output, "TargetId", i), static_cast<double>(i), "target id");
+    check.Equal(CellValue(output, "TargetId", i), i, "target id");
     check.Equal(CellValue(output, "SourceId", i), 0, "source id");
-    check.That(std::abs(CellValue(output, "GeodesicDistance", i) - expected[i]) <= 1e-15,
-      "length " + std::to_string(i));
-    check.That(
-      std::abs(CellValue(output, "TargetSnapDistance", i) - (i == 0 ? 0.25 : 0.0)) <= 1e-16,
-      "snap distance");
+    check.Near(
+      CellValue(output, "GeodesicDistance", i), expected[i], 1e-15, "length " + std::to_string(i));
+    check.Near(
+      CellValue(output, "TargetSnapDistance", i), (i == 0 ? 0.25 : 0.0), 1e-16, "snap distance");
   }
   // 16 squares a unit with a diagonal each: from 0.9 to 0.2 there are 11 vertical edges.
   const std::vector<Point> first = LinePoints(output, 0);
@@ -119,29 +100,21 @@ void CheckIds(Check& check)
 {
   auto lines = Polyline({ { 0.1, 0.1, 0.0 }, { 0.1, 0.9, 0.0 } });
   lines->GetPoints()->InsertNextPoint(0.9, 0.9, 0.0);
-  vtkNew<vtkCellArray> verts;
-  verts->InsertNextCell({ 2 });
-  lines->SetVerts(verts); // cell 0, the line is cell 1
-  vtkNew<vtkMultiBlockDataSet> sources;
-  sources->SetBlock(0, PointSources({ { 0.5, 0.1, 0.0 }, { 0.5, 0.2, 0.0 } })); // sources 0 and 1
-  sources->SetBlock(1, nullptr);
-  sources->SetBlock(2, lines); // 2 and 3
-  vtkNew<vtkMultiBlockDataSet> targets;
-  targets->SetBlock(0, PointSources({ { 0.5, 0.25, 0.0 } }));
-  targets->SetBlock(1, nullptr);
-  targets->SetBlock(2, PointSources({ { 0.85, 0.9, 0.0 }, { 0.15, 0.5, 0.0 }, { 0.99, 0.5, 0 } }));
+  lines->SetVerts(CellArray({ { 2 } })); // cell 0, the line is cell 1
+  const auto sources = Blocks({ PointSources({ { 0.5, 0.1, 0.0 }, { 0.5, 0.2, 0.0 } }), // 0 and 1
+    nullptr, lines });                                                                  // 2 and 3
+  const auto targets = Blocks({ PointSources({ { 0.5, 0.25, 0.0 } }), nullptr,
+    PointSources({ { 0.85, 0.9, 0.0 }, { 0.15, 0.5, 0.0 }, { 0.99, 0.5, 0 } }) });
 
-  vtkNew<vtkGeodesicPaths> filter;
-  filter->SetInputData(Square(8));
-  filter->SetSourceData(sources);
+  const auto filter = FilterOn<vtkGeodesicPaths>(Square(8), sources);
   filter->SetTargetsData(targets);
   filter->Update();
   const double expected[3] = { 1, 2, 3 };
   vtkPolyData* output = filter->GetOutput();
-  check.Equal(static_cast<double>(output->GetNumberOfLines()), 4, "a line for each target");
+  check.Equal(output->GetNumberOfLines(), 4, "a line for each target");
   for (vtkIdType i = 0; i < 3; ++i)
   {
-    check.Equal(CellValue(output, "TargetId", i), static_cast<double>(i), "target over blocks");
+    check.Equal(CellValue(output, "TargetId", i), i, "target over blocks");
     check.Equal(CellValue(output, "SourceId", i), expected[i], "source over blocks");
   }
   filter->SetSourceTypeToCurveAndBoundary();
@@ -155,8 +128,7 @@ void CheckIds(Check& check)
   {
     check.Equal(CellValue(output, "SourceId", i), 0, "the only loop");
     const Point target = LinePoints(output, i).front();
-    check.That(std::abs(CellValue(output, "GeodesicDistance", i) -
-                 DistanceToBoundaryOfSquare(target)) <= 1e-15,
+    check.Near(CellValue(output, "GeodesicDistance", i), DistanceToBoundaryOfSquare(target), 1e-15,
       "distance to the boundary");
   }
 }
@@ -164,30 +136,21 @@ void CheckIds(Check& check)
 /// Two blocks of a surface, moved apart from a third part that no path leads to.
 void CheckCompositeSurfaceAndUnreached(Check& check)
 {
-  auto right = Square(4);
-  MovePoints(right, [](const Point& p) { return Point{ p[0] + 1.0, p[1], p[2] }; });
-  auto island = Square(2);
-  MovePoints(island, [](const Point& p) { return Point{ p[0] + 5.0, p[1], p[2] }; });
-  vtkNew<vtkMultiBlockDataSet> surface;
-  surface->SetBlock(0, Square(4));
-  surface->SetBlock(1, right);
-  surface->SetBlock(2, island);
-  vtkNew<vtkGeodesicPaths> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ { 0.1, 0.3, 0.0 } }));
+  const auto right = Moved(Square(4), MovedBy(1.0));
+  const auto island = Moved(Square(2), MovedBy(5.0));
+  const auto surface = Blocks({ Square(4), right, island });
+  const auto filter = FilterOn<vtkGeodesicPaths>(surface, PointSources({ { 0.1, 0.3, 0.0 } }));
   filter->SetTargetsData(
     PointSources({ { 5.5, 0.5, 0.0 }, { 1.7, 0.6, 0.0 }, { 5.7, 0.5, 0.0 }, { 1.2, 0.6, 0.0 } }));
   Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), "composite: no error");
+  messages.ExpectNoError(check, "composite: no error");
   check.That(Contains(messages.Warning(), "2 targets not reached"), messages.Warning());
   vtkPolyData* output = filter->GetOutput();
   check.That(output != nullptr, "composite: one vtkPolyData");
-  check.Equal(static_cast<double>(output->GetNumberOfLines()), 2, "composite: reached targets");
+  check.Equal(output->GetNumberOfLines(), 2, "composite: reached targets");
   check.Equal(CellValue(output, "TargetId", 0), 1, "composite: target 1");
   check.Equal(CellValue(output, "TargetId", 1), 3, "composite: target 3");
-  check.That(
-    std::abs(CellValue(output, "GeodesicDistance", 0) - std::hypot(1.6, 0.3)) <= 1e-14, "length");
+  check.Near(CellValue(output, "GeodesicDistance", 0), std::hypot(1.6, 0.3), 1e-14, "length");
   CheckArrays(check, output, "composite: ");
 }
 
@@ -198,12 +161,9 @@ void CheckVertexBeforeFace(Check& check)
   {
     auto upright = Square(1);
     MovePoints(upright, [](const Point& p) { return Point{ 0.75 + p[0], 0.25, 0.25 + p[1] }; });
-    vtkNew<vtkMultiBlockDataSet> surface;
-    surface->SetBlock(0, isVertexFirst ? upright : Square(1));
-    surface->SetBlock(1, isVertexFirst ? Square(1) : upright);
-    vtkNew<vtkGeodesicPaths> filter;
-    filter->SetInputData(surface);
-    filter->SetSourceData(PointSources({ { 1.5, 0.25, 0.75 } }));
+    const auto surface =
+      Blocks({ isVertexFirst ? upright : Square(1), isVertexFirst ? Square(1) : upright });
+    const auto filter = FilterOn<vtkGeodesicPaths>(surface, PointSources({ { 1.5, 0.25, 0.75 } }));
     filter->SetTargetsData(PointSources({ { 0.75, 0.25, 0.125 } }));
     Messages messages(filter);
     messages.Update();
@@ -216,15 +176,11 @@ void CheckScales(Check& check)
 {
   const auto run = [](double scale)
   {
-    const auto scaled = [scale](const Point& p) {
-      return Point{ p[0] * scale, p[1] * scale, p[2] * scale };
-    };
+    const auto scaled = ScaledBy(scale);
     auto surface = ChangedSphere(20, 16, scaled);
     auto source = PointSources({ scaled({ 0.3, 0.3, 0.2 }) });
     auto targets = PointSources({ scaled({ -0.3, 0.1, 0.2 }), scaled({ 0.1, -0.4, 0.0 }) });
-    vtkNew<vtkGeodesicPaths> filter;
-    filter->SetInputData(surface);
-    filter->SetSourceData(source);
+    const auto filter = FilterOn<vtkGeodesicPaths>(surface, source);
     filter->SetTargetsData(targets);
     filter->Update();
     vtkSmartPointer<vtkPolyData> output = filter->GetOutput();
@@ -234,29 +190,17 @@ void CheckScales(Check& check)
   for (const double scale : { std::ldexp(1.0, 400), std::ldexp(1.0, -400) })
   {
     const auto output = run(scale);
-    check.Equal(static_cast<double>(output->GetNumberOfPoints()),
-      static_cast<double>(ordinary->GetNumberOfPoints()), "points at a scale");
+    check.Equal(output->GetNumberOfPoints(), ordinary->GetNumberOfPoints(), "points at a scale");
     for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
     {
-      Point p;
-      Point q;
-      output->GetPoint(i, p.data());
-      ordinary->GetPoint(i, q.data());
+      const Point p = PointAt(output, i);
+      const Point q = PointAt(ordinary, i);
       check.That(
         p == Point{ q[0] * scale, q[1] * scale, q[2] * scale }, "the same place at a scale");
       check.Equal(output->GetPointData()->GetScalars()->GetTuple1(i) / scale,
         ordinary->GetPointData()->GetScalars()->GetTuple1(i), "what is left at a scale");
     }
   }
-}
-
-/// A bumpy closed surface and points around it.
-vtkSmartPointer<vtkPolyData> Bumpy()
-{
-  return ChangedSphere(120, 80,
-    [](const Point& p) {
-      return Point{ p[0] + 0.02 * std::sin(20.0 * p[1]), 0.6 * p[1], 1.7 * p[2] };
-    });
 }
 
 vtkSmartPointer<vtkPolyData> Cloud()
@@ -269,17 +213,9 @@ vtkSmartPointer<vtkPolyData> Cloud()
   return PointSources(points);
 }
 
-bool SameBits(vtkDataArray* a, vtkDataArray* b)
-{
-  const auto bytes = static_cast<std::size_t>(a->GetNumberOfValues()) *
-    static_cast<std::size_t>(a->GetDataTypeSize());
-  return a->GetDataType() == b->GetDataType() && a->GetNumberOfValues() == b->GetNumberOfValues() &&
-    std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), bytes) == 0;
-}
-
 void SetUpBumpy(vtkGeodesicPaths* filter)
 {
-  filter->SetInputData(Bumpy());
+  filter->SetInputData(WavySphere(120, 80));
   filter->SetSourceData(Polyline({ { 0.4, 0.1, 0.2 }, { 0.1, 0.3, 0.3 }, { -0.3, 0.2, 0.1 } }));
   filter->SetTargetsData(Cloud());
 }
@@ -296,7 +232,7 @@ void CheckThreads(Check& check)
   };
   vtkSMPTools::SetBackend("Sequential");
   const auto alone = run();
-  check.Equal(static_cast<double>(alone->GetNumberOfLines()), 400, "all targets are reached");
+  check.Equal(alone->GetNumberOfLines(), 400, "all targets are reached");
   int backends = 0;
   for (const char* backend : { "STDThread", "TBB", "OpenMP" })
   {
@@ -307,9 +243,9 @@ void CheckThreads(Check& check)
     ++backends;
     vtkSMPTools::Initialize(3);
     const auto several = run();
-    check.That(SameBits(alone->GetPoints()->GetData(), several->GetPoints()->GetData()) &&
-        SameBits(alone->GetPointData()->GetScalars(), several->GetPointData()->GetScalars()) &&
-        SameBits(
+    check.That(AreSame(alone->GetPoints()->GetData(), several->GetPoints()->GetData()) &&
+        AreSame(alone->GetPointData()->GetScalars(), several->GetPointData()->GetScalars()) &&
+        AreSame(
           alone->GetCellData()->GetArray("SourceId"), several->GetCellData()->GetArray("SourceId")),
       std::string("the same bits on several threads, ") + backend);
   }
@@ -322,24 +258,20 @@ void CheckAgainstField(Check& check)
 {
   vtkNew<vtkGeodesicPaths> paths;
   SetUpBumpy(paths);
-  paths->SetTargetsData(Bumpy());
+  paths->SetTargetsData(WavySphere(120, 80));
   paths->Update();
-  vtkNew<vtkGeodesicDistanceField> field;
-  field->SetInputData(Bumpy());
-  field->SetSourceData(paths->GetInputDataObject(1, 0));
+  const auto field = RefinedField(WavySphere(120, 80), paths->GetInputDataObject(1, 0));
   field->SetRefineMesh(false);
   field->Update();
   vtkPolyData* output = paths->GetOutput();
-  check.Equal(static_cast<double>(output->GetNumberOfLines()),
-    static_cast<double>(Distances(field)->GetNumberOfTuples()), "a path from each vertex");
+  check.Equal(
+    output->GetNumberOfLines(), Distances(field)->GetNumberOfTuples(), "a path from each vertex");
   const double largest = Distances(field)->GetRange()[1];
-  double worst = 0.0;
   for (vtkIdType i = 0; i < output->GetNumberOfLines(); ++i)
   {
-    worst = std::max(
-      worst, std::abs(CellValue(output, "GeodesicDistance", i) - Distances(field)->GetTuple1(i)));
+    check.Near(CellValue(output, "GeodesicDistance", i), Distances(field)->GetTuple1(i),
+      1e-12 * largest, "as long as the distance");
   }
-  check.That(worst <= 1e-12 * largest, "as long as the distance, worst " + std::to_string(worst));
 }
 
 void CheckEmpty(Check& check, vtkGeodesicPaths* filter, const std::string& what)
@@ -391,9 +323,8 @@ struct BadTargets
 void CheckBadInput(Check& check)
 {
   const double nan = vtkMath::Nan();
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, PointSources({ { 0, 0, 0 } }));
-  blocks->SetBlock(1, PointSources({ { 0, 0, 0 }, { vtkMath::Inf(), 0, 0 } }));
+  const auto blocks = Blocks(
+    { PointSources({ { 0, 0, 0 } }), PointSources({ { 0, 0, 0 }, { vtkMath::Inf(), 0, 0 } }) });
   vtkNew<vtkTable> table;
   const std::vector<BadTargets> cases = {
     { "no targets", nullptr, { "no targets", "port 2", "Targets" } },
@@ -405,20 +336,13 @@ void CheckBadInput(Check& check)
   };
   for (const BadTargets& bad : cases)
   {
-    vtkNew<vtkGeodesicPaths> filter;
-    filter->SetInputData(Square(2));
-    filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+    const auto filter = FilterOn<vtkGeodesicPaths>(Square(2), PointSources({ { 0, 0, 0 } }));
     filter->SetTargetsData(PointSources({ { 1, 1, 0 } }));
     Messages messages(filter);
     messages.Update();
-    check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfLines()), 1, "a good run");
+    check.Equal(filter->GetOutput()->GetNumberOfLines(), 1, "a good run");
     filter->SetTargetsData(bad.Data);
-    messages.Update();
-    std::cout << bad.Name << ":\n" << messages.Error() << "\n";
-    for (const std::string& word : bad.Words)
-    {
-      check.That(Contains(messages.Error(), word), bad.Name + ": says \"" + word + "\"");
-    }
+    messages.ExpectError(check, bad.Words, bad.Name);
     CheckEmpty(check, filter, bad.Name);
   }
 }

@@ -67,10 +67,9 @@ void CheckPiecesAreOfTheWhole(Check& check)
   Pipeline p;
   Messages messages(p.Filter);
   p.Filter->UpdatePiece(1, 2, 0);
-  check.Equal(static_cast<double>(p.Filter->GetOutput()->GetNumberOfCells()), 0.0,
-    "cells of the second piece");
-  check.Equal(static_cast<double>(p.Filter->GetOutput(1)->GetNumberOfCells()), 0.0,
-    "cells of the second piece of the source");
+  check.Equal(p.Filter->GetOutput()->GetNumberOfCells(), 0.0, "cells of the second piece");
+  check.Equal(
+    p.Filter->GetOutput(1)->GetNumberOfCells(), 0.0, "cells of the second piece of the source");
   p.Filter->UpdatePiece(0, 2, 0);
   CheckDistancesOfSphere(check, p.Filter->GetOutput(), "the first of two pieces");
   using Streaming = vtkStreamingDemandDrivenPipeline;
@@ -89,8 +88,8 @@ void CheckPiecesOfTheSecondOutput(Check& check)
   Messages messages(p.Filter);
   p.Filter->UpdatePiece(0, 3, 0);
   p.Filter->Update(1);
-  check.Equal(static_cast<double>(p.Filter->GetOutput(1)->GetNumberOfPoints()), 1.0,
-    "points of the source on the surface");
+  check.Equal(
+    p.Filter->GetOutput(1)->GetNumberOfPoints(), 1.0, "points of the source on the surface");
 }
 
 void CheckPiecesWrittenAndReadBack(Check& check, int mode, const std::string& name, bool refine)
@@ -117,10 +116,10 @@ void CheckPiecesWrittenAndReadBack(Check& check, int mode, const std::string& na
   whole.Filter->SetRefineMesh(refine);
   Messages quiet(whole.Filter);
   quiet.Update();
-  check.Equal(static_cast<double>(reader->GetOutput()->GetNumberOfCells()),
-    static_cast<double>(whole.Filter->GetOutput()->GetNumberOfCells()), name + ": cells");
-  check.Equal(static_cast<double>(reader->GetOutput()->GetNumberOfPoints()),
-    static_cast<double>(whole.Filter->GetOutput()->GetNumberOfPoints()), name + ": points");
+  check.Equal(reader->GetOutput()->GetNumberOfCells(),
+    whole.Filter->GetOutput()->GetNumberOfCells(), name + ": cells");
+  check.Equal(reader->GetOutput()->GetNumberOfPoints(),
+    whole.Filter->GetOutput()->GetNumberOfPoints(), name + ": points");
   CheckDistancesOfSphere(check, reader->GetOutput(), name);
 }
 
@@ -144,9 +143,7 @@ void CheckProcesses(Check& check)
   vtkNew<TwoProcesses> communicator;
   vtkNew<vtkDummyController> two;
   two->SetCommunicator(communicator);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(4));
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  const auto filter = RefinedField(Square(4), PointSources({ { 0, 0, 0 } }));
   const auto run = [&](const std::string& what)
   {
     filter->Update();

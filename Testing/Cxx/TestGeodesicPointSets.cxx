@@ -30,12 +30,7 @@ vtkSmartPointer<vtkPolyData> WithVertices(
   const std::vector<Point>& positions, const CellsOfPoints& cells)
 {
   auto data = PointSources(positions);
-  vtkNew<vtkCellArray> vertices;
-  for (const std::vector<vtkIdType>& cell : cells)
-  {
-    vertices->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
-  }
-  data->SetVerts(vertices);
+  data->SetVerts(CellArray(cells));
   return data;
 }
 
@@ -89,20 +84,13 @@ void CheckPoints(Check& check, vtkDataObject* source, const std::vector<vtkIdTyp
   const std::vector<Point>& positions, const std::string& what)
 {
   const auto surface = Square(8);
-  vtkNew<vtkGeodesicDistanceField> field;
-  field->SetInputData(surface);
-  field->SetSourceData(source);
+  const auto field = PlainField(surface, source);
   field->GenerateSourceIdsOn();
-  field->RefineMeshOff();
-  Messages messages(field);
-  messages.Update();
-  check.That(messages.Error().empty() && messages.Warning().empty(),
-    what + ": " + messages.Error() + messages.Warning());
+  Messages(field).ExpectNothing(check, what);
   vtkDataArray* nearest = field->GetOutput()->GetPointData()->GetArray("SourceId");
   for (vtkIdType i = 0; nearest && i < surface->GetNumberOfPoints(); ++i)
   {
-    Point p;
-    surface->GetPoint(i, p.data());
+    const Point p = PointAt(surface, i);
     const auto at = std::find(ids.begin(), ids.end(), vtkIdType(nearest->GetTuple1(i)));
     const bool isOne = at != ids.end();
     check.That(isOne, what + ": SourceId is that of a source");
@@ -111,17 +99,15 @@ void CheckPoints(Check& check, vtkDataObject* source, const std::vector<vtkIdTyp
     {
       least = std::min(least, Between(p, position));
     }
-    check.That(std::abs(Distances(field)->GetTuple1(i) - least) < 1e-14, what + ": the distance");
+    check.Near(Distances(field)->GetTuple1(i), least, 1e-14, what + ": the distance");
     check.That(isOne && Between(p, positions[std::size_t(at - ids.begin())]) < least + 1e-14,
       what + ": SourceId is that of the nearest");
   }
-  auto* curves = vtkPolyData::SafeDownCast(field->GetOutputDataObject(1));
+  auto* curves = OutputOf(field, 1);
   check.That(Ids(curves->GetCellData()->GetArray("SourceId")) == ids, what + ": ids on port 1");
 
   const std::vector<Point> targets = { { 0.5, 0.5, 0 }, { 1, 0.25, 0 } };
-  vtkNew<vtkGeodesicDistanceMatrix> matrix;
-  matrix->SetInputData(surface);
-  matrix->SetSourceData(source);
+  const auto matrix = FilterOn<vtkGeodesicDistanceMatrix>(surface, source);
   matrix->SetTargetsData(PointSources(targets));
   matrix->Update();
   vtkTable* table = matrix->GetOutput();
@@ -137,9 +123,7 @@ void CheckPoints(Check& check, vtkDataObject* source, const std::vector<vtkIdTyp
         what + ": the distance from source " + std::to_string(ids[s]));
     }
   }
-  vtkNew<vtkGeodesicPaths> paths;
-  paths->SetInputData(surface);
-  paths->SetSourceData(source);
+  const auto paths = FilterOn<vtkGeodesicPaths>(surface, source);
   paths->SetTargetsData(PointSources(positions));
   paths->Update();
   check.That(Ids(paths->GetOutput()->GetCellData()->GetArray("SourceId")) == ids,
@@ -165,10 +149,9 @@ void CheckSetsOfPoints(Check& check)
   points->SetPoints(PointSources(FourPoints)->GetPoints());
   expect(points, "a vtkPointSet");
 
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, WithVertices({ FourPoints[0], FourPoints[1] }, { { 0, 1 } }));
-  blocks->SetBlock(1, vtkNew<vtkUnstructuredGrid>());
-  blocks->SetBlock(2, Grid({ FourPoints[2], FourPoints[3] }, { { VTK_POLY_VERTEX, { 0, 1 } } }));
+  const auto blocks = Blocks(
+    { WithVertices({ FourPoints[0], FourPoints[1] }, { { 0, 1 } }), vtkNew<vtkUnstructuredGrid>(),
+      Grid({ FourPoints[2], FourPoints[3] }, { { VTK_POLY_VERTEX, { 0, 1 } } }) });
   expect(blocks, "blocks");
   vtkNew<vtkPartitionedDataSet> partitions;
   partitions->SetPartition(0, Grid(FourPoints, { { VTK_POLY_VERTEX, { 0, 1, 2, 3 } } }));
@@ -180,9 +163,8 @@ void CheckSetsOfPoints(Check& check)
 /// The loops of the boundary are numbered after all points.
 void CheckBoundaryAfterPoints(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceMatrix> matrix;
-  matrix->SetInputData(Square(4));
-  matrix->SetSourceData(WithVertices(FourPoints, { { 0, 2 } }));
+  const auto matrix =
+    FilterOn<vtkGeodesicDistanceMatrix>(Square(4), WithVertices(FourPoints, { { 0, 2 } }));
   matrix->SetSourceTypeToCurveAndBoundary();
   matrix->Update();
   vtkTable* table = matrix->GetOutput();
@@ -208,14 +190,10 @@ vtkSmartPointer<vtkUnstructuredGrid> MixedGrid()
 void CheckLinesOfGrids(Check& check)
 {
   const auto surface = Square(8);
-  vtkNew<vtkGeodesicDistanceField> field;
-  field->SetInputData(surface);
-  field->SetSourceData(MixedGrid());
+  const auto field = RefinedField(surface, MixedGrid());
   field->GenerateSourceIdsOn();
-  Messages messages(field);
-  messages.Update();
-  check.That(Contains(messages.Warning(), "1 cell of the source left out"),
-    "a solid in a grid is told: " + messages.Warning());
+  Messages(field).ExpectWarning(
+    check, { "1 cell of the source left out" }, "a solid in a grid is told");
   const std::vector<std::pair<vtkIdType, Distance>> parts = {
     { 1, DistanceTo({ { 0.9, 0.1, 0 }, { 0.9, 0.9, 0 } }) }, { 2, DistanceTo({ { 0.5, 0.5, 0 } }) },
     { 4, DistanceTo({ { 0.1, 0.1, 0 }, { 0.1, 0.9, 0 } }) }, { 5, DistanceTo({ { 0.7, 0.5, 0 } }) }
@@ -233,20 +211,17 @@ void CheckLinesOfGrids(Check& check)
   vtkDataArray* nearest = field->GetOutput()->GetPointData()->GetArray("SourceId");
   for (vtkIdType i = 0; i < field->GetOutput()->GetNumberOfPoints(); ++i)
   {
-    Point p;
-    field->GetOutput()->GetPoint(i, p.data());
+    const Point p = PointAt(field->GetOutput(), i);
     const auto id = vtkIdType(nearest->GetTuple1(i));
     const auto part =
       std::find_if(parts.begin(), parts.end(), [id](const auto& one) { return one.first == id; });
     check.That(part != parts.end() && part->second(p) < truth(p) + 1e-14, "a cell of the grid");
   }
-  auto* curves = vtkPolyData::SafeDownCast(field->GetOutputDataObject(1));
+  auto* curves = OutputOf(field, 1);
   const std::vector<vtkIdType> vertices = { 2, 5, 1, 4 }; // then lines
   check.That(Ids(curves->GetCellData()->GetArray("SourceId")) == vertices, "a grid's ids, port 1");
 
-  vtkNew<vtkGeodesicDistanceMatrix> matrix;
-  matrix->SetInputData(surface);
-  matrix->SetSourceData(MixedGrid());
+  const auto matrix = FilterOn<vtkGeodesicDistanceMatrix>(surface, MixedGrid());
   matrix->SetTargetsData(PointSources({ { 0.5, 0.6, 0 } }));
   matrix->Update();
   check.Equal(
@@ -259,9 +234,8 @@ void CheckLinesOfGrids(Check& check)
       "the column of a grid's cell");
   }
 
-  vtkNew<vtkGeodesicContour> contour;
-  contour->SetInputData(surface);
-  contour->SetSourceData(Grid({ { 0, 0.5, 0 }, { 1, 0.5, 0 } }, { { VTK_LINE, { 0, 1 } } }));
+  const auto contour = FilterOn<vtkGeodesicContour>(
+    surface, Grid({ { 0, 0.5, 0 }, { 1, 0.5, 0 } }, { { VTK_LINE, { 0, 1 } } }));
   contour->SetValue(0, 0.25);
   contour->Update();
   check.Equal(double(contour->GetOutput()->GetNumberOfLines()), 2.0, "lines beside a grid's line");
@@ -272,25 +246,17 @@ void CheckTargets(Check& check)
 {
   const auto volume = Grid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0.5, 0.5, 0 } },
     { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_VERTEX, { 0 } } });
-  vtkNew<vtkGeodesicPaths> paths;
-  paths->SetInputData(Square(4));
-  paths->SetSourceData(PointSources({ { 0, 0, 0 } }));
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, CurvedGrid());
-  blocks->SetBlock(1, volume);
+  const auto paths = FilterOn<vtkGeodesicPaths>(Square(4), PointSources({ { 0, 0, 0 } }));
+  const auto blocks = Blocks({ CurvedGrid(), volume });
   paths->SetTargetsData(blocks);
-  Messages messages(paths);
-  messages.Update();
-  check.That(messages.Error().empty() && messages.Warning().empty(),
-    "grids of targets: " + messages.Error() + messages.Warning());
+  Messages(paths).ExpectNothing(check, "grids of targets");
   check.That(Ids(paths->GetOutput()->GetCellData()->GetArray("TargetId")) ==
       std::vector<vtkIdType>{ 0, 1, 2, 3, 4, 5, 6, 7 },
     "grids of targets: ids");
   vtkDataArray* lengths = paths->GetOutput()->GetCellData()->GetArray("GeodesicDistance");
   for (vtkIdType i = 0; i < 4 && lengths; ++i)
   {
-    check.That(
-      std::abs(lengths->GetTuple1(i) - Between(FourPoints[std::size_t(i)], { 0, 0, 0 })) < 1e-14,
+    check.Near(lengths->GetTuple1(i), Between(FourPoints[std::size_t(i)], { 0, 0, 0 }), 1e-14,
       "a structured grid of targets");
   }
 }
@@ -306,10 +272,7 @@ void CheckPrecision(Check& check)
   }
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(points->GetPoints());
-  vtkNew<vtkGeodesicDistanceField> field;
-  field->SetInputData(surface);
-  field->SetSourceData(grid);
-  field->RefineMeshOff();
+  const auto field = PlainField(surface, grid);
   field->Update();
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); i += 7)
   {
@@ -323,12 +286,8 @@ void CheckWhatCannotBeUsed(Check& check)
   image->SetDimensions(3, 3, 3);
   const auto solid =
     Grid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 1, 1, 1 } }, { { VTK_TETRA, { 0, 1, 2, 3 } } });
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, solid);
-  blocks->SetBlock(1, image);
-  vtkNew<vtkMultiBlockDataSet> solids;
-  solids->SetBlock(0, solid);
-  solids->SetBlock(1, vtkNew<vtkUnstructuredGrid>());
+  const auto blocks = Blocks({ solid, image });
+  const auto solids = Blocks({ solid, vtkNew<vtkUnstructuredGrid>() });
   struct Bad
   {
     vtkSmartPointer<vtkDataObject> Data;
@@ -336,9 +295,7 @@ void CheckWhatCannotBeUsed(Check& check)
   };
   const auto expect = [&](int port, const Bad& bad)
   {
-    vtkNew<vtkGeodesicPaths> paths;
-    paths->SetInputData(Square(2));
-    paths->SetSourceData(PointSources({ { 0, 0, 0 } }));
+    const auto paths = FilterOn<vtkGeodesicPaths>(Square(2), PointSources({ { 0, 0, 0 } }));
     paths->SetTargetsData(PointSources({ { 1, 1, 0 } }));
     paths->SetInputDataObject(port, bad.Data);
     Messages messages(paths);

@@ -40,58 +40,26 @@ constexpr double DoubleRounding = 8.0 * DBL_EPSILON * 5.42e6;
 vtkSmartPointer<vtkPolyData> Grid(int dataType, double height)
 {
   auto grid = Square(8);
-  vtkNew<vtkPoints> points;
-  points->SetDataType(dataType);
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    Point p;
-    grid->GetPoint(i, p.data());
-    points->InsertNextPoint(Corner[0] + 8.0 * CellSize * p[0], Corner[1] + 8.0 * CellSize * p[1],
-      Corner[2] + std::round(height * std::sin(5.0 * p[0]) * std::cos(7.0 * p[1])));
-  }
-  grid->SetPoints(points);
+  MovePoints(grid,
+    [height](const Point& p)
+    {
+      return Point{ Corner[0] + 8.0 * CellSize * p[0], Corner[1] + 8.0 * CellSize * p[1],
+        Corner[2] + std::round(height * std::sin(5.0 * p[0]) * std::cos(7.0 * p[1])) };
+    });
+  grid->SetPoints(PointSources(PlacesOf(grid), dataType)->GetPoints());
   return grid;
 }
 
 /// A vertex of such a grid.
 vtkSmartPointer<vtkPolyData> VertexOf(vtkPolyData* grid)
 {
-  Point p;
-  grid->GetPoint(30, p.data());
+  const Point p = PointAt(grid, 30);
   return PointSources({ p });
-}
-
-std::array<Point, 3> CornersOf(vtkPolyData* data, vtkIdType cell)
-{
-  vtkNew<vtkIdList> ids;
-  data->GetPolys()->GetCellAtId(cell, ids);
-  std::array<Point, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    data->GetPoint(ids->GetId(static_cast<vtkIdType>(k)), corners[k].data());
-  }
-  return corners;
 }
 
 vtkIdType OriginalOf(vtkPolyData* output, vtkIdType cell)
 {
-  return static_cast<vtkIdType>(
-    output->GetCellData()->GetArray("OriginalCellIds")->GetTuple1(cell));
-}
-
-double Dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Point Minus(const Point& a, const Point& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-Point Cross(const Point& a, const Point& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+  return static_cast<vtkIdType>(CellValue(output, "OriginalCellIds", cell));
 }
 
 /// A place on a triangle of an output as it is stored, and the value interpolated there.
@@ -110,13 +78,12 @@ std::vector<Sample> SamplesOf(vtkPolyData* output, std::size_t numberInside, std
   geodesictest::Random random(seed);
   const auto add = [&](vtkIdType cell, const geodesictest::Barycentric& weights)
   {
-    vtkNew<vtkIdList> ids;
-    output->GetPolys()->GetCellAtId(cell, ids);
+    const auto ids = IdsOf(output->GetPolys(), cell);
     const auto corners = CornersOf(output, cell);
     Sample sample{ OriginalOf(output, cell), corners[0], 0.0 };
     for (std::size_t k = 0; k < 3; ++k)
     {
-      sample.value += weights[k] * distances->GetTuple1(ids->GetId(static_cast<vtkIdType>(k)));
+      sample.value += weights[k] * distances->GetTuple1(ids[k]);
       for (std::size_t x = 0; x < 3; ++x)
       {
         sample.place[x] += weights[k] * (corners[k][x] - corners[0][x]);
@@ -143,8 +110,7 @@ void RunAndCheckMessages(
   Check& check, vtkGeodesicDistanceField* filter, double requested, const std::string& what)
 {
   Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), what + ": " + messages.Error());
+  messages.ExpectNoError(check, what);
   const bool isMet = filter->GetInterpolationErrorBound() <= requested;
   check.That(messages.Warning().empty() == isMet, what + ": a warning if the tolerance is not met");
   if (filter->GetOutputPointsPrecision() == Single)
@@ -163,9 +129,7 @@ void CheckPlane(
   Check& check, int dataType, int precision, double tolerance, const std::string& what)
 {
   const auto grid = Grid(dataType, 0.0);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(grid);
-  filter->SetSourceData(PointSources({ Source }));
+  const auto filter = RefinedField(grid, PointSources({ Source }));
   filter->SetRefinementTolerance(tolerance);
   filter->SetOutputPointsPrecision(precision);
   const double requested = tolerance * grid->GetLength();
@@ -187,10 +151,8 @@ void CheckPlane(
     precision == Single ? VTK_FLOAT : VTK_DOUBLE, what + ": type of the points");
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
   {
-    Point before;
-    Point after;
-    grid->GetPoint(i, before.data());
-    filter->GetOutput()->GetPoint(i, after.data());
+    const Point before = PointAt(grid, i);
+    const Point after = PointAt(filter->GetOutput(), i);
     check.That(before == after, what + ": the input's points, which are exact, stay");
   }
 }
@@ -199,9 +161,7 @@ void CheckPlane(
 void CheckHill(Check& check, int dataType, int precision, const std::string& what)
 {
   const auto hill = Grid(dataType, 700.0);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(hill);
-  filter->SetSourceData(VertexOf(hill));
+  const auto filter = RefinedField(hill, VertexOf(hill));
   filter->SetOutputPointsPrecision(precision);
   filter->Update();
   vtkPolyData* output = filter->GetOutput();
@@ -231,39 +191,28 @@ void CheckLines(Check& check)
     check.Equal(lines->GetPoints()->GetDataType(), VTK_DOUBLE, what + ": type of the points");
   };
   const auto grid = Grid(VTK_FLOAT, 0.0);
-  vtkNew<vtkGeodesicContour> contour;
-  contour->SetInputData(grid);
-  contour->SetSourceData(PointSources({ Source }));
+  const auto contour = FilterOn<vtkGeodesicContour>(grid, PointSources({ Source }));
   contour->SetValue(0, 1000.0);
   contour->Update();
   isOnPlane(contour->GetOutput(), "a contour");
-  for (vtkIdType i = 0; i < contour->GetOutput()->GetNumberOfPoints(); ++i)
+  for (const Point& p : PlacesOf(contour->GetOutput()))
   {
-    Point p;
-    contour->GetOutput()->GetPoint(i, p.data());
-    check.That(std::abs(DistanceToSegment(p, Source, Source) - 1000.0) <= DoubleRounding,
+    check.Near(DistanceToSegment(p, Source, Source), 1000.0, DoubleRounding,
       "a contour's points have its distance");
   }
   const Point target = { Corner[0] + 7000.3, Corner[1] + 6900.1, Corner[2] };
-  vtkNew<vtkGeodesicPaths> paths;
-  paths->SetInputData(grid);
-  paths->SetSourceData(PointSources({ Source }));
+  const auto paths = FilterOn<vtkGeodesicPaths>(grid, PointSources({ Source }));
   paths->SetTargetsData(PointSources({ target }));
   paths->Update();
   isOnPlane(paths->GetOutput(), "a path");
-  for (vtkIdType i = 0; i < paths->GetOutput()->GetNumberOfPoints(); ++i)
+  for (const Point& p : PlacesOf(paths->GetOutput()))
   {
-    Point p;
-    paths->GetOutput()->GetPoint(i, p.data());
     check.That(DistanceToSegment(p, Source, target) <= DoubleRounding, "a path is straight");
   }
   for (const auto& [precision, name] : Precisions)
   {
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(grid);
-    filter->SetSourceData(Polyline({ Source, target }));
+    const auto filter = PlainField(grid, Polyline({ Source, target }));
     filter->SetOutputPointsPrecision(precision);
-    filter->RefineMeshOff();
     filter->Update();
     isOnPlane(filter->GetOutput(1), "the source on the surface, " + name);
   }
@@ -290,8 +239,8 @@ void CheckTypes(Check& check)
         filter->SetOutputPointsPrecision(precision);
         filter->Update();
         vtkPoints* points = filter->GetOutput()->GetPoints();
-        check.Equal(static_cast<double>(points->GetNumberOfPoints()),
-          static_cast<double>(grid->GetNumberOfPoints()), what + ": no new points");
+        check.Equal(
+          points->GetNumberOfPoints(), grid->GetNumberOfPoints(), what + ": no new points");
         const int expected = precision == Default ? type
           : precision == Single                   ? VTK_FLOAT
                                                   : VTK_DOUBLE;
@@ -300,10 +249,8 @@ void CheckTypes(Check& check)
           what + ": the input's object if nothing changes");
         for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
         {
-          Point before;
-          Point after;
-          grid->GetPoint(i, before.data());
-          points->GetPoint(i, after.data());
+          const Point before = PointAt(grid, i);
+          const Point after = PointAt(points, i);
           check.That(before == after, what + ": the input's points");
         }
         if (isRefined && (precision == Default || type == expected))
@@ -319,13 +266,10 @@ void CheckTypes(Check& check)
 /// Points of the input that are not single can be displaced, too.
 void CheckInputIsRounded(Check& check)
 {
-  const auto grid = Grid(VTK_DOUBLE, 0.0);
-  MovePoints(grid, [](const Point& p) { return Point{ p[0] + 0.2, p[1] + 0.24, p[2] }; });
+  const auto grid = Moved(Grid(VTK_DOUBLE, 0.0), MovedBy(0.2, 0.24));
   const Point begin = { Corner[0] + 0.2, Corner[1] + 0.24, Corner[2] };
   const Point end = { begin[0] + 8.0 * CellSize, begin[1], begin[2] };
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(grid);
-  filter->SetSourceData(Polyline({ begin, end }));
+  const auto filter = RefinedField(grid, Polyline({ begin, end }));
   filter->SetOutputPointsPrecision(Single);
   filter->Update();
   check.That(
@@ -339,17 +283,14 @@ void CheckInputIsRounded(Check& check)
   check.That(measured > 0.2, "the input's points are rounded");
   check.That(measured <= filter->GetInterpolationErrorBound(), "and the bound holds");
 
-  auto large = Square(2);
-  MovePoints(large, [](const Point& p) { return Point{ 1e40 * p[0], 1e40 * p[1], 0.0 }; });
+  const auto large = Moved(Square(2), ScaledBy(1e40));
   filter->SetInputData(large);
   filter->SetSourceData(PointSources({ { 1e39, 1e39, 0.0 } }));
   Messages messages(filter);
-  messages.Update();
-  check.That(Contains(messages.Error(), "OutputPointsPrecision"),
-    "coordinates over the range of single precision are an error: " + messages.Error());
+  messages.ExpectError(check, { "OutputPointsPrecision" },
+    "coordinates over the range of single precision are an error");
   filter->SetOutputPointsPrecision(Default);
-  messages.Update();
-  check.That(messages.Error().empty(), "but not in double precision");
+  messages.ExpectNoError(check, "but not in double precision");
 }
 
 /// So far from the origin that doubles are rounded by about the tolerance.
@@ -362,9 +303,7 @@ void CheckDoublesAreRounded(Check& check)
       return Point{ 8.0 * p[0] + shift, 8.0 * p[1] + shift, shift };
     });
   const Point source = { shift + 3.0, shift + 4.0, shift };
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(grid);
-  filter->SetSourceData(PointSources({ source }));
+  const auto filter = RefinedField(grid, PointSources({ source }));
   filter->SetRefinementTolerance(1e-5);
   Messages messages(filter);
   messages.Update();
@@ -384,20 +323,11 @@ void CheckDoublesAreRounded(Check& check)
 /// Some faces of a surface, with all of its points.
 vtkSmartPointer<vtkPolyData> Half(vtkPolyData* surface, bool isFirst, int dataType)
 {
-  auto half = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataType(dataType);
-  points->DeepCopy(surface->GetPoints());
-  vtkNew<vtkCellArray> polys;
-  const vtkIdType count = surface->GetNumberOfPolys();
-  for (vtkIdType face = isFirst ? 0 : count / 2; face < (isFirst ? count / 2 : count); ++face)
-  {
-    vtkNew<vtkIdList> ids;
-    surface->GetPolys()->GetCellAtId(face, ids);
-    polys->InsertNextCell(ids);
-  }
-  half->SetPoints(points);
-  half->SetPolys(polys);
+  auto polygons = CellsOf(surface->GetPolys());
+  const auto middle = polygons.begin() + static_cast<std::ptrdiff_t>(polygons.size() / 2);
+  isFirst ? polygons.erase(middle, polygons.end()) : polygons.erase(polygons.begin(), middle);
+  auto half = PointSources(PlacesOf(surface), dataType);
+  half->SetPolys(CellArrayOf(polygons));
   return half;
 }
 
@@ -406,22 +336,14 @@ void CheckSeams(
   Check& check, const std::array<int, 2>& types, int precision, const std::string& what)
 {
   const auto hill = Grid(VTK_DOUBLE, 700.0);
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Half(hill, true, types[0]));
-  blocks->SetBlock(1, Half(hill, false, types[1]));
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputDataObject(blocks);
-  filter->SetSourceData(VertexOf(hill));
+  const auto blocks = Blocks({ Half(hill, true, types[0]), Half(hill, false, types[1]) });
+  const auto filter = RefinedField(blocks, VertexOf(hill));
   filter->SetOutputPointsPrecision(precision);
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty() && messages.Warning().empty(),
-    what + ": " + messages.Error() + messages.Warning());
-  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  Messages(filter).ExpectNothing(check, what);
   std::map<std::pair<Point, Point>, int> edges;
   for (unsigned int i = 0; i < 2; ++i)
   {
-    auto* block = vtkPolyData::SafeDownCast(output->GetBlock(i));
+    vtkPolyData* block = Block(filter, i);
     check.Equal(block->GetPoints()->GetDataType(), precision == Single ? VTK_FLOAT : VTK_DOUBLE,
       what + ": type of the points");
     for (vtkIdType cell = 0; cell < block->GetNumberOfCells(); ++cell)
@@ -448,21 +370,17 @@ void CheckSeams(
 void CheckBlocksApart(Check& check)
 {
   const auto hill = Grid(VTK_FLOAT, 700.0);
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Half(hill, true, VTK_FLOAT));
-  blocks->SetBlock(1, Half(hill, false, VTK_FLOAT));
+  const auto second = Half(hill, false, VTK_FLOAT);
+  const auto blocks = Blocks({ Half(hill, true, VTK_FLOAT), second });
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetInputDataObject(blocks);
-  Point vertex;
-  hill->GetPoint(2, vertex.data());
+  const Point vertex = PointAt(hill, 2);
   filter->SetSourceData(PointSources({ vertex }));
   filter->SetMaximumDistance(1000.0);
   filter->Update();
-  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-  const auto pointsOf = [](vtkMultiBlockDataSet* data, unsigned int block)
-  { return vtkPolyData::SafeDownCast(data->GetBlock(block))->GetPoints(); };
-  check.Equal(pointsOf(output, 0)->GetDataType(), VTK_DOUBLE, "a refined block");
-  check.That(pointsOf(output, 1) == pointsOf(blocks, 1), "a block that is not keeps its points");
+  check.Equal(Block(filter, 0)->GetPoints()->GetDataType(), VTK_DOUBLE, "a refined block");
+  check.That(Block(filter, 1)->GetPoints() == second->GetPoints(),
+    "a block that is not refined keeps its points");
 }
 
 /// Blocks whose seam differs by roundings are joined: each shows the distance a little beside its
@@ -473,27 +391,22 @@ void CheckJoinedSeams(Check& check)
   {
     const auto grid = Grid(VTK_DOUBLE, 0.0);
     vtkNew<vtkMultiBlockDataSet> blocks;
-    const auto upper = Half(grid, false, VTK_FLOAT);
-    MovePoints(upper, [](const Point& p) { return Point{ p[0], p[1] + 0.5, p[2] }; });
+    const auto upper = Moved(Half(grid, false, VTK_FLOAT), MovedBy(0.0, 0.5));
     blocks->SetBlock(0, Half(grid, true, VTK_FLOAT));
     blocks->SetBlock(1, upper);
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputDataObject(blocks);
-    filter->SetSourceData(
-      Polyline({ Corner, { Corner[0] + 8.0 * CellSize, Corner[1], Corner[2] } }));
+    const auto filter = RefinedField(
+      blocks, Polyline({ Corner, { Corner[0] + 8.0 * CellSize, Corner[1], Corner[2] } }));
     filter->SetRefinementTolerance(1e-4);
     filter->SetOutputPointsPrecision(precision);
     filter->Update();
     check.That(filter->GetSeamPointsJoined() == 9, "blocks are joined");
-    auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-    auto* block = vtkPolyData::SafeDownCast(output->GetBlock(1));
+    vtkPolyData* block = Block(filter, 1);
     // The seam's points are those of the lower block, from which the distance is known.
     double measured = 0.0;
     for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
     {
-      Point p;
-      block->GetPoint(i, p.data());
-      const double distance = block->GetPointData()->GetArray("GeodesicDistance")->GetTuple1(i);
+      const Point p = PointAt(block, i);
+      const double distance = PointValue(block, "GeodesicDistance", i);
       if (std::isfinite(distance) && p[1] < Corner[1] + 4.0 * CellSize + 1.0)
       {
         measured = std::max(measured, std::abs(distance - (p[1] - Corner[1])));
@@ -505,7 +418,7 @@ void CheckJoinedSeams(Check& check)
 }
 
 /// The point of a face closest to a place, as weights of its corners.
-geodesictest::Barycentric ClosestIn(const std::array<Point, 3>& face, const Point& p)
+geodesictest::Barycentric ClosestIn(const std::vector<Point>& face, const Point& p)
 {
   const Point u = Minus(face[1], face[0]);
   const Point v = Minus(face[2], face[0]);
@@ -557,18 +470,6 @@ geodesictest::PlainMesh RandomFarMesh(
   return mesh;
 }
 
-vtkSmartPointer<vtkPolyData> SurfaceOf(const geodesictest::PlainMesh& mesh, int dataType)
-{
-  auto surface = PointSources(mesh.points, dataType);
-  vtkNew<vtkCellArray> polys;
-  for (const geodesictest::Triangle& t : mesh.triangles)
-  {
-    polys->InsertNextCell({ t[0], t[1], t[2] });
-  }
-  surface->SetPolys(polys);
-  return surface;
-}
-
 /// Faces that rounding has squeezed are no task of this test.
 bool IsUsable(const geodesictest::PlainMesh& mesh)
 {
@@ -589,7 +490,7 @@ bool IsOnOneSheet(const geodesictest::PlainMesh& mesh, geodesictest::Index verte
   return std::none_of(mesh.triangles.begin(), mesh.triangles.end(),
     [&](const geodesictest::Triangle& t)
     {
-      const std::array<Point, 3> face = { mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]] };
+      const std::vector<Point> face = { mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]] };
       const geodesictest::Barycentric weights = ClosestIn(face, p);
       Point offset = Minus(face[0], p);
       double size = 0.0;
@@ -621,17 +522,14 @@ double CheckRandom(Check& check, const geodesictest::MeshKind& kind, std::uint64
   const auto& [precision, name] = Precisions[random.below(3)];
   const std::string what =
     std::string(kind.name) + " of seed " + std::to_string(seed) + ", " + name;
-  const auto surface = SurfaceOf(mesh, dataType);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(surface);
+  const auto surface = Mesh(mesh.points, mesh.triangles, dataType);
+  const auto filter = RefinedField(surface, PointSources({ geodesictest::position(mesh, source) }));
   filter->MergeCoincidentPointsOff();
-  filter->SetSourceData(PointSources({ geodesictest::position(mesh, source) }));
   filter->SetOutputPointsPrecision(precision);
   filter->SetRefinementTolerance(std::pow(10.0, random.uniform(-4.0, -2.0)));
   filter->SetMaximumNumberOfCells(30000);
   Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), what + ": " + messages.Error());
+  messages.ExpectNoError(check, what);
   vtkPolyData* output = filter->GetOutput();
   std::vector<Sample> samples = SamplesOf(output, 40, seed);
   // The last ones are inside; of the others not all are needed.

@@ -31,13 +31,6 @@ namespace
 /// Contours and paths are as long as in one process. A target in a wall has no path.
 void CompareLines(Check& check, vtkPolyData* piece, vtkPolyData* surface, const std::string& name)
 {
-  const auto sum = [](double own)
-  {
-    double all = 0.0;
-    vtkMultiProcessController::GetGlobalController()->AllReduce(
-      &own, &all, 1, vtkCommunicator::SUM_OP);
-    return all;
-  };
   const bool isFirst = vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0;
   const auto targets =
     PointSources({ { 0.9, 0.1, 0 }, { 0.1, 0.9, 0 }, { 0.5625, 0.3, 0 }, { 0.7, 0.3, 0 } });
@@ -50,12 +43,10 @@ void CompareLines(Check& check, vtkPolyData* piece, vtkPolyData* surface, const 
     {
       one->SetBarrierArrayName(HasBarriers(surface) ? "barrier" : nullptr);
       one->SetSourceData(Questions().front().Source);
-      Messages messages(one);
-      messages.Update();
-      check.That(messages.Error().empty(), name + ", lines: " + messages.Error());
+      RunWithoutError(check, one, name + ", lines");
     }
     const double expected = TotalLength(alone->GetOutput());
-    check.That(std::abs(sum(TotalLength(filter->GetOutput())) - expected) < 1e-9 * expected,
+    check.Near(Sum(TotalLength(filter->GetOutput())), expected, 1e-9 * expected,
       name + ": contours or paths are as long as in one process");
   };
   vtkNew<vtkGeodesicContour> contourAlone;
@@ -68,7 +59,7 @@ void CompareLines(Check& check, vtkPolyData* piece, vtkPolyData* surface, const 
   pathsAlone->SetTargetsData(targets);
   paths->SetTargetsData(isFirst ? targets : PointSources({}));
   compare(pathsAlone.Get(), paths.Get());
-  for (const double lines : { sum(static_cast<double>(paths->GetOutput()->GetNumberOfLines())),
+  for (const double lines : { Sum(static_cast<double>(paths->GetOutput()->GetNumberOfLines())),
          static_cast<double>(pathsAlone->GetOutput()->GetNumberOfLines()) })
   {
     check.Equal(lines, HasBarriers(surface) ? 3.0 : 4.0, name + ": a target in a wall has no path");
@@ -78,39 +69,28 @@ void CompareLines(Check& check, vtkPolyData* piece, vtkPolyData* surface, const 
 /// Every way to cut a surface.
 void TestCuts(Check& check, Ranks ranks, vtkPolyData* surface)
 {
-  std::vector<std::pair<std::string, Cut>> cuts = {
-    { "in strips", Strips(surface, ranks.Count) },
-    { "in space", InSpace(surface, ranks.Count) },
-    { "at random", AtRandom(ranks.Count) },
-    { "with nothing on the last rank",
-      [&](vtkIdType face) { return AtRandom(std::max(1, ranks.Count - 1))(face); } },
-    { "with nothing on the first rank",
-      [&](vtkIdType face) { return ranks.Count == 1 ? 0 : 1 + AtRandom(ranks.Count - 1)(face); } },
-    { "all on the last rank", [&](vtkIdType) { return ranks.Count - 1; } },
-  };
+  std::vector<std::string> names = { "in strips", "in space", "at random",
+    "with nothing on the last rank", "with nothing on the first rank", "all on the last rank" };
   if (HasBarriers(surface))
   {
-    cuts.emplace_back("barriers on a rank of their own", BarriersApart(surface, ranks.Count));
+    names.emplace_back("barriers on a rank of their own");
   }
   std::vector<std::pair<std::string, vtkSmartPointer<vtkDataObject>>> pieces = {
     { "a copy on every rank", surface },
-    { "ghosts in strips", PartWithGhosts(surface, cuts[0].second, ranks.Rank) },
-    { "ghosts at random", PartWithGhosts(surface, cuts[2].second, ranks.Rank) },
+    { "ghosts in strips", PartWithGhosts(surface, Strips(surface, ranks.Count), ranks.Rank) },
+    { "ghosts at random", PartWithGhosts(surface, AtRandom(ranks.Count), ranks.Rank) },
   };
-  for (const auto& [name, cut] : cuts)
+  for (const auto& [name, cut] : Cuts(surface, ranks, names))
   {
-    const auto piece = Part(surface, FacesOf(surface, cut, ranks.Rank));
+    const auto piece = PieceOf(surface, cut, ranks.Rank);
     pieces.emplace_back(name, piece);
     CompareLines(check, piece, surface, name);
   }
   // A rank has two blocks, which are joined as all others are.
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  for (int i = 0; i < 2; ++i)
-  {
-    blocks->SetBlock(static_cast<unsigned int>(i),
-      Part(surface, FacesOf(surface, AtRandom(2 * ranks.Count), 2 * ranks.Rank + i)));
-  }
-  pieces.emplace_back("blocks on each rank", blocks.Get());
+  const Cut halves = AtRandom(2 * ranks.Count);
+  pieces.emplace_back("blocks on each rank",
+    Blocks(
+      { PieceOf(surface, halves, 2 * ranks.Rank), PieceOf(surface, halves, 2 * ranks.Rank + 1) }));
   for (const auto& [name, piece] : pieces)
   {
     for (const Question& question : Questions())
@@ -131,10 +111,8 @@ void TestGlobalIds(Check& check, Ranks ranks, vtkPolyData* surface)
     FacesOf(surface, AtRandom(std::max(1, ranks.Count - 1)), ranks.Rank);
   for (const bool hasGlobalIds : { true, false })
   {
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(Part(surface, faces, hasGlobalIds));
+    const auto filter = Asked(Part(surface, faces, hasGlobalIds), question);
     filter->MergeCoincidentPointsOff();
-    Ask(filter, question);
     filter->Update();
     if (hasGlobalIds)
     {
@@ -162,32 +140,22 @@ void TestRoundings(Check& check, Ranks ranks, vtkPolyData* surface)
     const double up = rank % 2 == 1 ? 2.0 : 0.0;
     return Point{ std::nextafter(p[0], up), std::nextafter(p[1], up), p[2] };
   };
-  auto piece = Part(surface, FacesOf(surface, cut, ranks.Rank));
-  vtkNew<vtkPolyData> moved;
-  moved->DeepCopy(piece);
+  auto piece = PieceOf(surface, cut, ranks.Rank);
+  const auto moved = CopyOf(piece);
   MovePoints(moved, [&](const Point& p) { return movedOn(p, ranks.Rank); });
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(moved);
-  Ask(filter, question);
+  const auto filter = Asked(moved, question);
   filter->Update();
-  vtkDataArray* distances = Distances(filter);
-  double worst = 0.0;
   for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
   {
-    Point p;
-    piece->GetPoint(i, p.data());
-    worst = std::max(worst, std::abs(distances->GetTuple1(i) - whole.DistanceAt(p)));
+    check.Near(Distances(filter)->GetTuple1(i), whole.DistanceAt(PointAt(piece, i)), 1e-12,
+      "seam points that differ by a rounding are one");
   }
-  check.That(worst < 1e-12, "seam points that differ by a rounding are one");
   std::map<Point, std::set<Point>> placesOfPoints;
   for (vtkIdType face = 0; face < surface->GetNumberOfPolys(); ++face)
   {
-    vtkNew<vtkIdList> ids;
-    surface->GetPolys()->GetCellAtId(face, ids);
-    for (vtkIdType k = 0; k < 3; ++k)
+    for (const vtkIdType id : IdsOf(surface->GetPolys(), face))
     {
-      Point p;
-      surface->GetPoint(ids->GetId(k), p.data());
+      const Point p = PointAt(surface, id);
       placesOfPoints[p].insert(movedOn(p, cut(face)));
     }
   }
@@ -196,53 +164,35 @@ void TestRoundings(Check& check, Ranks ranks, vtkPolyData* surface)
   {
     joined += places.size() - 1;
   }
-  check.Equal(static_cast<double>(filter->GetSeamPointsJoined()), static_cast<double>(joined),
-    "and are counted once");
+  check.Equal(filter->GetSeamPointsJoined(), joined, "and are counted once");
 }
 
 /// Half planes that meet in one edge, each on one rank or cut; fans that meet in one vertex.
 void TestBranches(Check& check, Ranks ranks)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> polys;
+  auto surface = Mesh({}, {});
   constexpr int sheets = 5;
   constexpr double pi = 3.14159265358979323846;
   for (int sheet = 0; sheet < sheets; ++sheet)
   {
     const double angle = 2.0 * pi * sheet / sheets;
-    for (int i = 0; i <= 4; ++i)
-    {
-      for (int j = 0; j <= 3; ++j)
-      {
-        points->InsertNextPoint(0.1 * j * std::cos(angle), 0.1 * j * std::sin(angle), 0.1 * i);
-      }
-    }
-    for (int i = 0; i < 4; ++i)
-    {
-      for (int j = 0; j < 3; ++j)
-      {
-        const vtkIdType a = sheet * 20 + i * 4 + j;
-        InsertSquare(polys, Cells::Triangles, { a, a + 1, a + 5, a + 4 });
-      }
-    }
+    Append(surface,
+      Moved(Square(4),
+        [angle](const Point& p) {
+          return Point{ 0.4 * p[0] * std::cos(angle), 0.4 * p[0] * std::sin(angle), 0.4 * p[1] };
+        }));
   }
   // A second fan at the end of the common edge.
-  const vtkIdType tip = points->InsertNextPoint(0.0, 0.0, 0.4);
-  const vtkIdType left = points->InsertNextPoint(-0.1, 0.0, 0.6);
-  const vtkIdType right = points->InsertNextPoint(0.1, 0.02, 0.6);
-  polys->InsertNextCell({ tip, left, right });
-  vtkNew<vtkPolyData> surface;
-  surface->SetPoints(points);
-  surface->SetPolys(polys);
+  Append(
+    surface, Mesh({ { 0.0, 0.0, 0.4 }, { -0.1, 0.0, 0.6 }, { 0.1, 0.02, 0.6 } }, { { 0, 1, 2 } }));
   Question point{ "a point on one sheet", PointSources({ { 0.25, 0.0, 0.05 } }) };
   Question boundary{ "the boundary", nullptr, vtkGeodesicDistanceField::SURFACE_BOUNDARY };
-  const Cut bySheets = [&](vtkIdType face) { return static_cast<int>(face / 24) % ranks.Count; };
+  const Cut bySheets = [&](vtkIdType face) { return static_cast<int>(face / 32) % ranks.Count; };
   point.HasSides = false;
   boundary.HasSides = false;
   for (const Cut& cut : { bySheets, AtRandom(ranks.Count) })
   {
-    const auto piece = Part(surface, FacesOf(surface, cut, ranks.Rank));
+    const auto piece = PieceOf(surface, cut, ranks.Rank);
     Compare(check, piece, surface, point, "sheets that meet in an edge");
     Compare(check, piece, surface, boundary, "sheets that meet in an edge");
   }
@@ -290,24 +240,21 @@ void TestSourcesOnRanks(Check& check, Ranks ranks, vtkPolyData* surface)
   };
   for (const Source& source : sources)
   {
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank)));
-    Ask(filter, {});
+    const auto filter = Asked(PieceAtRandom(surface, ranks), {});
     filter->SetSourceData(source.Data);
     Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty(), source.Name + ": " + messages.Error());
+    messages.ExpectNoError(check, source.Name);
     const std::string told = std::to_string(ranks.Count) + " cell";
     check.That(Contains(messages.Warning(), told) == (source.FirstId == 1 && ranks.Rank == 0),
       source.Name + ": rank 0 tells of all solids: " + messages.Warning());
     CompareDistances(check, filter->GetOutput(), whole, source.Name);
     vtkPolyData* curves = filter->GetOutput(1);
-    check.Equal(static_cast<double>(curves->GetNumberOfCells()), ranks.Rank == 0 ? ranks.Count : 0,
+    check.Equal(curves->GetNumberOfCells(), ranks.Rank == 0 ? ranks.Count : 0,
       source.Name + ": rank 0 puts out the source");
     for (vtkIdType i = 0; i < curves->GetNumberOfCells(); ++i)
     {
-      check.Equal(curves->GetCellData()->GetArray("SourceId")->GetTuple1(i),
-        static_cast<double>(source.FirstId + i * source.IdsOfARank), source.Name + ": ids");
+      check.Equal(CellValue(curves, "SourceId", i), source.FirstId + i * source.IdsOfARank,
+        source.Name + ": ids");
     }
   }
 }
@@ -317,18 +264,17 @@ void TestSourcesOnRanks(Check& check, Ranks ranks, vtkPolyData* surface)
 void TestFarTargets(Check& check, Ranks ranks, vtkPolyData* surface)
 {
   const auto paths = vtkSmartPointer<vtkGeodesicPaths>::New();
-  paths->SetInputData(Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank)));
+  paths->SetInputData(PieceAtRandom(surface, ranks));
   paths->SetSourceData(PointSources({ { 0.5, 0.5, 0 } }));
   const double x = 0.1 + 0.8 * ranks.Rank / ranks.Count;
   paths->SetTargetsData(PointSources({ { x, 0.2, 0.0 }, { x, 0.8, 8.0 + ranks.Rank } }));
   Messages messages(paths);
-  messages.Update();
-  check.That(messages.Error().empty(), "far targets: " + messages.Error());
+  messages.ExpectNoError(check, "far targets");
   const std::string told = "at " + std::to_string(ranks.Count) + " of " +
     std::to_string(2 * ranks.Count) + " points: point 1";
   check.That(ranks.Rank == 0 ? Contains(messages.Warning(), told) : messages.Warning().empty(),
     "far targets of all ranks are told by the first: " + messages.Warning());
-  check.Equal(static_cast<double>(paths->GetOutput()->GetNumberOfLines()), 2.0, "far targets");
+  check.Equal(paths->GetOutput()->GetNumberOfLines(), 2.0, "far targets");
 }
 
 /// A path by its length and its target's way to the surface, by the target's id.
@@ -336,8 +282,7 @@ using PathsById = std::map<vtkIdType, std::pair<double, double>>;
 
 PathsById PathsOf(vtkPolyData* output)
 {
-  const auto value = [output](const char* name, vtkIdType i)
-  { return output->GetCellData()->GetArray(name)->GetTuple1(i); };
+  const auto value = [output](const char* name, vtkIdType i) { return CellValue(output, name, i); };
   PathsById paths;
   for (vtkIdType i = 0; i < output->GetNumberOfLines(); ++i)
   {
@@ -351,7 +296,7 @@ PathsById PathsOf(vtkPolyData* output)
 std::vector<std::pair<std::string, vtkSmartPointer<vtkPolyData>>> PlacesOfSurface(
   Ranks ranks, vtkPolyData* surface)
 {
-  const auto on = [&](const Cut& cut) { return Part(surface, FacesOf(surface, cut, ranks.Rank)); };
+  const auto on = [&](const Cut& cut) { return PieceOf(surface, cut, ranks.Rank); };
   return { { "in pieces", on(AtRandom(ranks.Count)) },
     { "on rank 0", on([](vtkIdType) { return 0; }) },
     { "on the last rank", on([&](vtkIdType) { return ranks.Count - 1; }) },
@@ -362,11 +307,8 @@ std::vector<std::pair<std::string, vtkSmartPointer<vtkPolyData>>> PlacesOfSurfac
 /// surface is. So large a surface is scaled inside.
 void TestPathsAtTargets(Check& check, Ranks ranks, vtkPolyData* unscaled, double scale)
 {
-  vtkNew<vtkPolyData> surface;
-  surface->DeepCopy(unscaled);
-  const auto scaled = [scale](const Point& p) {
-    return Point{ scale * p[0], scale * p[1], scale * p[2] };
-  };
+  const auto surface = CopyOf(unscaled);
+  const auto scaled = ScaledBy(scale);
   MovePoints(surface, scaled);
   std::vector<Point> all;
   for (int i = 0; i < 2 * ranks.Count; ++i)
@@ -380,9 +322,7 @@ void TestPathsAtTargets(Check& check, Ranks ranks, vtkPolyData* unscaled, double
     filter->SetInputData(data);
     filter->SetSourceData(source);
     filter->SetTargetsData(PointSources(at));
-    Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty(), "paths: " + messages.Error());
+    RunWithoutError(check, filter, "paths");
     return PathsOf(filter->GetOutput());
   };
   vtkNew<vtkGeodesicPaths> alone;
@@ -435,16 +375,14 @@ void TestFacesOfPaths(Check& check, Ranks ranks, vtkPolyData* surface)
   const auto run =
     [&](vtkPolyData* data, const std::vector<vtkIdType>& faceOf, const std::string& place)
   {
-    vtkNew<vtkGeodesicPaths> filter;
+    const auto filter = FilterOn<vtkGeodesicPaths>(data, PointSources({ { 0.2, 0.3, 0.0 } }));
     filter->GenerateFaceIdsOn();
-    filter->SetInputData(data);
-    filter->SetSourceData(PointSources({ { 0.2, 0.3, 0.0 } }));
     filter->SetTargetsData(PointSources(targets));
     Messages messages(filter);
     messages.Update();
     const std::string name = "faces of paths on a surface " + place;
     check.That(messages.Error().empty(), name + ": " + messages.Error());
-    check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfLines()),
+    check.Equal(filter->GetOutput()->GetNumberOfLines(),
       ranks.Rank == 0 ? static_cast<double>(targets.size()) : 0.0, name + ": paths");
     const double error = CheckFacesOfPaths(
       check, filter->GetOutput(),
@@ -494,17 +432,13 @@ void TestUnreadableCells(Check& check, Ranks ranks, vtkPolyData* surface)
     }
     return copy;
   };
-  const auto piece = Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank));
+  const auto piece = PieceAtRandom(surface, ranks);
   for (const int port : { 0, 1 })
   {
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(port == 0 ? broken(piece) : piece);
-    filter->SetSourceData(port == 1 ? broken(piece) : PointSources({ { 0, 0, 0 } }));
-    Messages messages(filter);
-    messages.Update();
-    check.That(Contains(messages.Error(), "Cell 0 of the s") &&
-        Contains(messages.Error(), "port " + std::to_string(port)),
-      "all ranks name the cell of one that cannot be read: " + messages.Error());
+    const auto filter = RefinedField(
+      port == 0 ? broken(piece) : piece, port == 1 ? broken(piece) : PointSources({ { 0, 0, 0 } }));
+    Messages(filter).ExpectError(check, { "Cell 0 of the s", "port " + std::to_string(port) },
+      "all ranks name the cell of one that cannot be read");
     CheckOutputsEmpty(check, filter, "a cell that cannot be read on one rank");
   }
 }
@@ -512,10 +446,9 @@ void TestUnreadableCells(Check& check, Ranks ranks, vtkPolyData* surface)
 /// An error or an abort on one rank is one on all.
 void TestFailures(Check& check, Ranks ranks, vtkPolyData* surface)
 {
-  auto piece = Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank));
+  auto piece = PieceAtRandom(surface, ranks);
   const Question question = Questions().front();
-  vtkNew<vtkPolyData> bad;
-  bad->DeepCopy(piece);
+  const auto bad = CopyOf(piece);
   if (ranks.Rank == ranks.Count - 1)
   {
     bad->GetPoints()->SetPoint(5, std::nan(""), 0.0, 0.0);
@@ -524,9 +457,7 @@ void TestFailures(Check& check, Ranks ranks, vtkPolyData* surface)
   Ask(filter, question);
   Messages messages(filter);
   filter->SetInputData(bad);
-  messages.Update();
-  check.That(Contains(messages.Error(), "at point 5"),
-    "all ranks say what is wrong on one: " + messages.Error());
+  messages.ExpectError(check, { "at point 5" }, "all ranks say what is wrong on one");
   check.That(Contains(filter->GetErrorMessage(), "at point 5") && filter->GetErrorCode() != 0,
     "scripts on all ranks get it: " + filter->GetErrorMessage());
   CheckOutputsEmpty(check, filter, "an error on one rank");
@@ -555,34 +486,27 @@ void TestFailures(Check& check, Ranks ranks, vtkPolyData* surface)
   CompareDistances(check, filter->GetOutput(), Whole(surface, question), "after an abort");
 
   filter->SetSourceData(PointSources({}));
-  messages.Update();
-  check.That(Contains(messages.Error(), "is empty"), "no source anywhere: " + messages.Error());
+  messages.ExpectError(check, { "is empty" }, "no source anywhere");
   vtkNew<vtkPolyData> nothing;
   filter->SetInputData(nothing);
   filter->SetSourceData(question.Source);
-  messages.Update();
-  check.That(Contains(messages.Error(), "no faces"), "no surface anywhere: " + messages.Error());
+  messages.ExpectError(check, { "no faces" }, "no surface anywhere");
 }
 
 /// Points that no face uses may be NaN or infinite on any rank, and as many as it likes.
 void TestPointsThatAreNotFinite(Check& check, Ranks ranks, vtkPolyData* surface)
 {
   const Question question = Questions().front();
-  const auto piece = Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank));
+  const auto piece = PieceAtRandom(surface, ranks);
   const auto solved = [&](vtkPolyData* input)
   {
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(input);
-    Ask(filter, question);
-    Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty(), "unused points are no error: " + messages.Error());
+    const auto filter = Asked(input, question);
+    RunWithoutError(check, filter, "unused points are no error");
     vtkSmartPointer<vtkDataArray> distances = Distances(filter);
     return distances;
   };
   const auto expected = solved(piece);
-  vtkNew<vtkPolyData> more;
-  more->DeepCopy(piece);
+  const auto more = CopyOf(piece);
   const vtkIdType count = piece->GetNumberOfPoints();
   for (int i = 0; i < 3 * ranks.Rank + 1; ++i)
   {
@@ -600,7 +524,7 @@ void TestPointsThatAreNotFinite(Check& check, Ranks ranks, vtkPolyData* surface)
 /// Executing again, with what has changed on one rank only.
 void TestAgain(Check& check, Ranks ranks, vtkPolyData* surface)
 {
-  const auto piece = Part(surface, FacesOf(surface, Strips(surface, ranks.Count), ranks.Rank));
+  const auto piece = PieceOf(surface, Strips(surface, ranks.Count), ranks.Rank);
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetInputData(piece);
   for (const Question& question : Questions())
@@ -612,8 +536,7 @@ void TestAgain(Check& check, Ranks ranks, vtkPolyData* surface)
     CompareDistances(
       check, filter->GetOutput(), Whole(surface, exact), "again, with " + question.Name);
   }
-  vtkNew<vtkPolyData> changed;
-  changed->DeepCopy(surface);
+  const auto changed = CopyOf(surface);
   const auto change = [](const Point& p) {
     return p[0] < 0.1 ? Point{ p[0] - 0.3, p[1], p[2] } : p;
   };
@@ -631,11 +554,9 @@ void TestAgain(Check& check, Ranks ranks, vtkPolyData* surface)
 /// Whatever piece is asked for, a rank has its own; of more pieces than ranks one has it.
 void TestPieces(Check& check, Ranks ranks, vtkPolyData* surface)
 {
-  const auto piece = Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank));
+  const auto piece = PieceAtRandom(surface, ranks);
   const Question question = Questions().front();
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(piece);
-  Ask(filter, question);
+  const auto filter = Asked(piece, question);
   const int pieces = 3 * ranks.Count;
   vtkIdType cells = 0;
   for (int i = 3 * ranks.Rank; i < 3 * ranks.Rank + 3; ++i)
@@ -643,8 +564,7 @@ void TestPieces(Check& check, Ranks ranks, vtkPolyData* surface)
     filter->UpdatePiece(i, pieces, 0);
     cells += filter->GetOutput()->GetNumberOfCells();
   }
-  check.Equal(static_cast<double>(cells), static_cast<double>(piece->GetNumberOfCells()),
-    "of three pieces a rank each cell is in one");
+  check.Equal(cells, piece->GetNumberOfCells(), "of three pieces a rank each cell is in one");
   // A source that makes pieces itself is asked for the rank's.
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(24);
@@ -671,26 +591,21 @@ void TestMatrix(Check& check, Ranks ranks, vtkPolyData* surface)
     names->InsertNextValue(name);
   }
   points->GetPointData()->AddArray(names);
-  vtkNew<vtkGeodesicDistanceMatrix> alone;
+  const auto alone = FilterOn<vtkGeodesicDistanceMatrix>(surface, points);
   alone->SetController(nullptr);
-  alone->SetInputData(surface);
-  alone->SetSourceData(points);
   alone->SetSourceNameArrayName("names");
   alone->SetTargetNameArrayName("names");
   alone->Update();
   const auto compare = [&](vtkPolyData* piece, const std::string& what)
   {
-    vtkNew<vtkGeodesicDistanceMatrix> matrix;
-    matrix->SetInputData(piece);
-    matrix->SetSourceData(points);
+    const auto matrix = FilterOn<vtkGeodesicDistanceMatrix>(piece, points);
     matrix->SetSourceNameArrayName("names");
     matrix->SetTargetNameArrayName("names");
     matrix->Update();
     vtkTable* table = matrix->GetOutput();
-    check.Equal(static_cast<double>(table->GetNumberOfRows()), ranks.Rank == 0 ? 3 : 0,
-      what + ": rank 0 has the rows");
-    check.Equal(static_cast<double>(table->GetNumberOfColumns()), ranks.Rank == 0 ? 5 : 0,
-      what + ": rank 0 has the columns");
+    check.Equal(table->GetNumberOfRows(), ranks.Rank == 0 ? 3 : 0, what + ": rank 0 has the rows");
+    check.Equal(
+      table->GetNumberOfColumns(), ranks.Rank == 0 ? 5 : 0, what + ": rank 0 has the columns");
     for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
     {
       for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
@@ -715,13 +630,9 @@ void TestMatrix(Check& check, Ranks ranks, vtkPolyData* surface)
 
   if (ranks.Count > 1)
   {
-    vtkNew<vtkGeodesicDistanceMatrix> matrix;
-    matrix->SetInputData(Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank)));
-    matrix->SetSourceData(points);
-    Messages messages(matrix);
-    messages.Update();
-    check.That(Contains(messages.Error(), "distributed over several ranks"),
-      "a matrix of a surface in pieces is refused: " + messages.Error());
+    const auto matrix = FilterOn<vtkGeodesicDistanceMatrix>(PieceAtRandom(surface, ranks), points);
+    Messages(matrix).ExpectError(
+      check, { "distributed over several ranks" }, "a matrix of a surface in pieces is refused");
   }
 }
 

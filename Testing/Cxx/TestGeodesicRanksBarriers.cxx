@@ -16,14 +16,8 @@ using namespace GeodesicTesting;
 namespace
 {
 
-std::vector<std::pair<std::string, Cut>> Cuts(Ranks ranks, vtkPolyData* surface)
-{
-  return {
-    { "in space", InSpace(surface, ranks.Count) },
-    { "at random", AtRandom(ranks.Count) },
-    { "barriers on a rank of their own", BarriersApart(surface, ranks.Count) },
-  };
-}
+const std::vector<std::string> CutNames = { "in space", "at random",
+  "barriers on a rank of their own" };
 
 /// Random meshes, random barriers, random sources and cuts.
 void TestRandomMeshes(Check& check, Ranks ranks)
@@ -49,11 +43,11 @@ void TestRandomMeshes(Check& check, Ranks ranks)
         geodesictest::bruteForceDistances(alone.made.open, alone.sources).vertices;
       const double largest = LargestFinite(truth);
       const auto whole = vtkPolyData::SafeDownCast(alone.filter->GetInputDataObject(0, 0));
-      for (const auto& [cutName, cut] : Cuts(ranks, whole))
+      for (const auto& [cutName, cut] : Cuts(whole, ranks, CutNames))
       {
         RandomCase one(kind, seed);
         one.filter->RefineMeshOff();
-        one.filter->SetInputData(Part(whole, FacesOf(whole, cut, ranks.Rank), true));
+        one.filter->SetInputData(PieceOf(whole, cut, ranks.Rank, true));
         const std::string what = one.name + ", " + cutName;
         if (!one.CanRun(check))
         {
@@ -73,8 +67,8 @@ void TestRandomMeshes(Check& check, Ranks ranks)
         check.That(difference <= 1e-12 * largest,
           what + ": differs from one process by " + std::to_string(difference));
         worst = std::max(worst, largest > 0.0 ? difference / largest : 0.0);
-        check.Equal(static_cast<double>(one.filter->GetOutput()->GetNumberOfCells()),
-          static_cast<double>(FacesOf(whole, cut, ranks.Rank).size()), what + ": cells");
+        check.Equal(one.filter->GetOutput()->GetNumberOfCells(),
+          FacesOf(whole, cut, ranks.Rank).size(), what + ": cells");
       }
     }
   }
@@ -88,21 +82,15 @@ void TestRandomMeshes(Check& check, Ranks ranks)
 void TestErrors(Check& check, Ranks ranks, vtkPolyData* surface)
 {
   const Cut cut = BarriersApart(surface, ranks.Count);
-  const auto piece = [&]() { return Part(surface, FacesOf(surface, cut, ranks.Rank)); };
+  const auto piece = [&]() { return PieceOf(surface, cut, ranks.Rank); };
   const auto expect = [&](vtkPolyData* data, const Question& question,
                         const std::vector<std::string>& words, const std::string& what)
   {
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(data);
-    Ask(filter, question, true);
+    const auto filter = Asked(data, question, true);
     Messages messages(filter);
-    messages.Update();
-    for (const std::string& word : words)
-    {
-      check.That(Contains(messages.Error(), word), what + ": " + messages.Error());
-    }
+    messages.ExpectError(check, words, what);
     check.That(!words.empty() || messages.Error().empty(), what + ": " + messages.Error());
-    check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfCells()),
+    check.Equal(filter->GetOutput()->GetNumberOfCells(),
       words.empty() ? static_cast<double>(data->GetNumberOfCells()) : 0.0, what + ": cells");
   };
   const Question point = Questions().front();
@@ -127,8 +115,8 @@ void TestErrors(Check& check, Ranks ranks, vtkPolyData* surface)
   auto frame = WithBarriers(Square(8),
     [](const Point& p) { return p[0] < 0.125 || p[0] > 0.875 || p[1] < 0.125 || p[1] > 0.875; });
   const Question boundary = Questions()[4];
-  expect(Part(frame, FacesOf(frame, AtRandom(ranks.Count), ranks.Rank)), boundary,
-    { "The whole boundary", "barriers" }, "a boundary that barriers have");
+  expect(PieceAtRandom(frame, ranks), boundary, { "The whole boundary", "barriers" },
+    "a boundary that barriers have");
 }
 
 /// The rim of a barrier is no boundary, and a loop that barriers have in part keeps its number.
@@ -139,7 +127,7 @@ void TestLoops(Check& check, Ranks ranks)
   std::vector<vtkIdType> faces;
   for (vtkIdType face = 0; face < square->GetNumberOfPolys(); ++face)
   {
-    const Point p = Centre(square, face);
+    const Point p = CentreOf(square, face);
     if (std::max(std::abs(p[0] - 0.5), std::abs(p[1] - 0.5)) > 0.125)
     {
       faces.push_back(face);
@@ -155,11 +143,8 @@ void TestLoops(Check& check, Ranks ranks)
     std::map<double, double> lengths; // of each loop
     for (vtkIdType i = 0; i < curves->GetNumberOfLines(); ++i)
     {
-      vtkNew<vtkIdList> ids;
-      curves->GetLines()->GetCellAtId(i, ids);
-      const double id =
-        curves->GetCellData()->GetArray("SourceId")->GetTuple1(curves->GetNumberOfVerts() + i);
-      lengths[id] += LengthOf(curves, ids);
+      const double id = CellValue(curves, "SourceId", curves->GetNumberOfVerts() + i);
+      lengths[id] += LengthOf(curves, i);
     }
     // Loops are numbered in the order of the whole's faces, which is by ranks.
     std::vector<double> sorted;
@@ -172,10 +157,10 @@ void TestLoops(Check& check, Ranks ranks)
   };
   const Whole whole(surface, question);
   const std::vector<double> expected = lengthsOf(whole.Filter);
-  for (const auto& [cutName, cut] : Cuts(ranks, surface))
+  for (const auto& [cutName, cut] : Cuts(surface, ranks, CutNames))
   {
     vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(Part(surface, FacesOf(surface, cut, ranks.Rank), true));
+    filter->SetInputData(PieceOf(surface, cut, ranks.Rank, true));
     Ask(filter, question, true);
     filter->Update();
     CompareDistances(check, filter->GetOutput(), whole, cutName + ", distances from loops");

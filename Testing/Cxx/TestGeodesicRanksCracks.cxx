@@ -42,11 +42,10 @@ vtkSmartPointer<vtkPolyData> WithGap(int n)
   auto whole = Soup(Square(n));
   for (vtkIdType face = 0; face < whole->GetNumberOfPolys(); ++face)
   {
-    const bool isMoved = Centre(whole, face)[0] > .5;
+    const bool isMoved = CentreOf(whole, face)[0] > .5;
     for (vtkIdType i = 3 * face; isMoved && i < 3 * face + 3; ++i)
     {
-      Point p;
-      whole->GetPoint(i, p.data());
+      const Point p = PointAt(whole, i);
       whole->GetPoints()->SetPoint(i, p[0] + 1e-7, p[1], p[2]);
     }
   }
@@ -60,19 +59,16 @@ void TestGap(Check& check, Ranks ranks)
   for (const bool isRandom : { false, true })
   {
     const Cut cut = isRandom ? AtRandom(ranks.Count) : Strips(surface, ranks.Count);
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->RefineMeshOff();
-    filter->SetInputData(Part(surface, FacesOf(surface, cut, ranks.Rank)));
-    filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+    const auto filter =
+      PlainField(PieceOf(surface, cut, ranks.Rank), PointSources({ { 0, 0, 0 } }));
     Messages messages(filter);
     messages.Update();
     const std::string edges = std::to_string(2 * n) + " boundary edges";
     check.That(ranks.Rank > 0 || Contains(messages.Warning(), edges),
       "an open gap is reported by the first rank: " + messages.Warning());
     filter->SetMergeTolerance(2e-7);
-    messages.Update();
-    check.That(messages.Warning().empty(), "no gap is left: " + messages.Warning());
-    check.Equal(static_cast<double>(filter->GetSeamPointsJoined()), n + 1.0, "points at the gap");
+    messages.ExpectNoWarning(check, "no gap is left");
+    check.Equal(filter->GetSeamPointsJoined(), n + 1.0, "points at the gap");
     if (filter->GetOutput()->GetNumberOfPoints() > 0)
     {
       CheckDistances(

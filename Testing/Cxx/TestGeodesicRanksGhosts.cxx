@@ -37,13 +37,6 @@ struct CutSurface
   bool HasGlobalIds;
 };
 
-vtkSmartPointer<vtkIntArray> IntArray(const char* name)
-{
-  auto array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName(name);
-  return array;
-}
-
 /// \param orphans whether there are faces that are nobody's, but copies of them.
 CutSurface MakeCutSurface(std::uint64_t seed, int parts, bool orphans)
 {
@@ -53,9 +46,9 @@ CutSurface MakeCutSurface(std::uint64_t seed, int parts, bool orphans)
     [&](const Point& p) {
       return Point{ p[0] + 0.5, p[1], p[2] + 0.05 * (Uniform(random) - 0.5) };
     });
-  const auto barriers = IntArray("barrier");
-  const auto hidden = IntArray("hidden");
-  const auto numbers = IntArray("face");
+  std::vector<int> barriers;
+  std::vector<int> hidden;
+  std::vector<int> numbers;
   Random holes(~seed);
   const double hiddenShare = holes() % 2 == 0 ? 0.0 : 0.15 * Uniform(holes);
   const double share = 0.15 * Uniform(random);
@@ -68,7 +61,7 @@ CutSurface MakeCutSurface(std::uint64_t seed, int parts, bool orphans)
   std::vector<int> partOf;
   for (vtkIdType face = 0; face < made.Whole->GetNumberOfPolys(); ++face)
   {
-    const Point p = Centre(made.Whole, face);
+    const Point p = CentreOf(made.Whole, face);
     const auto distance = [&](const Point& c) { return std::hypot(p[0] - c[0], p[1] - c[1]); };
     const auto nearest = std::min_element(centres.begin(), centres.end(),
       [&](const Point& a, const Point& b) { return distance(a) < distance(b); });
@@ -77,20 +70,20 @@ CutSurface MakeCutSurface(std::uint64_t seed, int parts, bool orphans)
     partOf.push_back(isOrphan ? parts
         : isScattered         ? scattered
                               : static_cast<int>(nearest - centres.begin()));
-    barriers->InsertNextValue(face > 1 && Uniform(random) < share ? 1 : 0);
-    hidden->InsertNextValue(face > 1 && Uniform(holes) < hiddenShare ? 1 : 0);
-    numbers->InsertNextValue(static_cast<int>(face));
+    barriers.push_back(face > 1 && Uniform(random) < share ? 1 : 0);
+    hidden.push_back(face > 1 && Uniform(holes) < hiddenShare ? 1 : 0);
+    numbers.push_back(static_cast<int>(face));
   }
-  made.Whole->GetCellData()->AddArray(hidden);
-  made.Whole->GetCellData()->AddArray(barriers);
-  made.Whole->GetCellData()->AddArray(numbers);
+  AddArray<vtkIntArray>(made.Whole->GetCellData(), "hidden", hidden);
+  AddArray<vtkIntArray>(made.Whole->GetCellData(), "barrier", barriers);
+  AddArray<vtkIntArray>(made.Whole->GetCellData(), "face", numbers);
   made.Parts = [partOf](vtkIdType face) { return partOf[static_cast<std::size_t>(face)]; };
   return made;
 }
 
 bool IsHidden(vtkPolyData* data, vtkIdType face)
 {
-  return data->GetCellData()->GetArray("hidden")->GetTuple1(face) != 0.0;
+  return CellValue(data, "hidden", face) != 0.0;
 }
 
 /// The surface without its hidden faces, of those that isThere(face) is true for.
@@ -162,7 +155,7 @@ vtkSmartPointer<vtkPolyData> RoundedPart(const CutSurface& surface, int part, bo
 /// In a face that is no barrier.
 vtkSmartPointer<vtkPolyData> SourceOn(const CutSurface& surface)
 {
-  return PointSources({ Centre(surface.Whole, 0) });
+  return PointSources({ CentreOf(surface.Whole, 0) });
 }
 
 void Ask(vtkGeodesicDistanceField* filter, const CutSurface& surface, bool isBoundary)
@@ -172,21 +165,6 @@ void Ask(vtkGeodesicDistanceField* filter, const CutSurface& surface, bool isBou
   filter->SetSourceData(SourceOn(surface));
   filter->SetSourceType(isBoundary ? vtkGeodesicDistanceField::SURFACE_BOUNDARY
                                    : vtkGeodesicDistanceField::SOURCE_CURVE);
-}
-
-/// The parts that this process has: all as blocks, or one of several ranks.
-std::vector<vtkPolyData*> PartsIn(vtkDataObject* data)
-{
-  std::vector<vtkPolyData*> parts;
-  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
-  {
-    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
-    {
-      parts.push_back(vtkPolyData::SafeDownCast(blocks->GetBlock(i)));
-    }
-    return parts;
-  }
-  return { vtkPolyData::SafeDownCast(data) };
 }
 
 /// Where the parts of a surface are.
@@ -245,7 +223,7 @@ std::vector<double> DistancesAtPoints(
 {
   std::vector<double> distances(static_cast<std::size_t>(surface.Whole->GetNumberOfPoints()),
     std::numeric_limits<double>::quiet_NaN());
-  for (vtkPolyData* part : PartsIn(filter->GetOutputDataObject(0)))
+  for (vtkPolyData* part : LeavesOf(filter->GetOutputDataObject(0)))
   {
     vtkDataArray* values = part->GetPointData()->GetArray("GeodesicDistance");
     vtkDataArray* numbers = part->GetPointData()->GetArray("point");
@@ -341,7 +319,7 @@ void CheckRefinement(
   std::vector<int> counts(static_cast<std::size_t>(surface.Whole->GetNumberOfPolys()), 0);
   const auto visit = [&](bool ofGhosts, auto use)
   {
-    for (vtkPolyData* part : PartsIn(filter->GetOutputDataObject(0)))
+    for (vtkPolyData* part : LeavesOf(filter->GetOutputDataObject(0)))
     {
       vtkDataArray* faces = part->GetCellData()->GetArray("face");
       vtkDataArray* marks = part->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
@@ -375,16 +353,14 @@ void ComparePaths(
   const auto whole = WithHoles(surface, [](vtkIdType) { return true; });
   for (int i = 0; i < 5; ++i)
   {
-    targets.push_back(Centre(
+    targets.push_back(CentreOf(
       whole, static_cast<vtkIdType>(random() % static_cast<unsigned>(whole->GetNumberOfPolys()))));
   }
   const auto lengths = [&](vtkMultiProcessController* controller, vtkDataObject* data)
   {
-    vtkNew<vtkGeodesicPaths> filter;
+    const auto filter = FilterOn<vtkGeodesicPaths>(data, SourceOn(surface));
     filter->SetController(controller);
-    filter->SetInputDataObject(data);
     filter->SetBarrierArrayName("barrier");
-    filter->SetSourceData(SourceOn(surface));
     const bool isMine = !controller || controller->GetLocalProcessId() == 0;
     filter->SetTargetsData(PointSources(isMine ? targets : std::vector<Point>()));
     Messages messages(filter);
@@ -394,8 +370,7 @@ void ComparePaths(
     vtkPolyData* output = filter->GetOutput();
     for (vtkIdType i = 0; i < output->GetNumberOfLines(); ++i)
     {
-      found[output->GetCellData()->GetArray("TargetId")->GetTuple1(i)] =
-        output->GetCellData()->GetArray("GeodesicDistance")->GetTuple1(i);
+      found[CellValue(output, "TargetId", i)] = CellValue(output, "GeodesicDistance", i);
     }
     return found;
   };
@@ -452,10 +427,7 @@ void CheckNotch(Check& check, Ranks ranks, bool isQuadMarked)
     piece->SetPolys(polys);
     piece->GetCellData()->AddArray(marks);
   }
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(piece);
-  filter->SetSourceData(PointSources({ { -1, 0, 0 } }));
-  filter->RefineMeshOff();
+  const auto filter = PlainField(piece, PointSources({ { -1, 0, 0 } }));
   Messages messages(filter);
   messages.Update();
   const std::string what =
@@ -463,10 +435,8 @@ void CheckNotch(Check& check, Ranks ranks, bool isQuadMarked)
   check.That(messages.Error().empty(), what + messages.Error());
   if (!isEmpty)
   {
-    check.That(std::abs(Distances(filter)->GetTuple1(0) - std::sqrt(10.0)) < 1e-13,
-      what + "the quad is there");
-    check.That(
-      std::abs(Distances(filter)->GetTuple1(3) - 2.0) < 1e-13, what + "the triangle is there");
+    check.Near(Distances(filter)->GetTuple1(0), std::sqrt(10.0), 1e-13, what + "the quad is there");
+    check.Near(Distances(filter)->GetTuple1(3), 2.0, 1e-13, what + "the triangle is there");
   }
 }
 

@@ -56,13 +56,8 @@ vtkSmartPointer<vtkUnstructuredGrid> AsGrid(vtkPolyData* piece, Random& random)
 vtkSmartPointer<vtkPolyData> SurfaceWithBarriers(Random& random)
 {
   auto surface = NoisySquare(8);
-  vtkNew<vtkIntArray> barriers;
-  barriers->SetName("barrier");
-  for (vtkIdType face = 0; face < surface->GetNumberOfPolys(); ++face)
-  {
-    barriers->InsertNextValue(face > 1 && random() % 10 == 0 ? 1 : 0);
-  }
-  surface->GetCellData()->AddArray(barriers);
+  AddArrayOf<vtkIntArray>(surface->GetCellData(), "barrier", surface->GetNumberOfPolys(),
+    [&](vtkIdType face) { return face > 1 && random() % 10 == 0 ? 1 : 0; });
   return surface;
 }
 
@@ -85,12 +80,11 @@ void CheckSeed(Check& check, Ranks ranks, std::uint64_t seed)
   const auto surface = SurfaceWithBarriers(random);
   const Cut cut = random() % 2 == 0 ? AtRandom(ranks.Count) : Strips(surface, ranks.Count);
   const bool hasGlobalIds = random() % 2 == 0;
-  const auto piece = random() % 2 == 0
-    ? PartWithGhosts(surface, cut, ranks.Rank, hasGlobalIds)
-    : Part(surface, FacesOf(surface, cut, ranks.Rank), hasGlobalIds);
+  const auto piece = random() % 2 == 0 ? PartWithGhosts(surface, cut, ranks.Rank, hasGlobalIds)
+                                       : PieceOf(surface, cut, ranks.Rank, hasGlobalIds);
   const bool isGrid = (random() + static_cast<std::uint64_t>(ranks.Rank)) % 3 != 0;
   const auto grid = AsGrid(piece, random);
-  const auto source = Polyline({ Centre(surface, 0), Centre(surface, 1) });
+  const auto source = Polyline({ CentreOf(surface, 0), CentreOf(surface, 1) });
   const auto forPolyData = Filters();
   const auto forGrids = Filters();
   for (std::size_t i = 0; i < forGrids.size(); ++i)
@@ -104,9 +98,7 @@ void CheckSeed(Check& check, Ranks ranks, std::uint64_t seed)
         takesGrid ? vtkSmartPointer<vtkDataObject>(grid) : vtkSmartPointer<vtkDataObject>(piece));
       filter->SetSourceData(source);
       filter->SetBarrierArrayName("barrier");
-      Messages messages(filter);
-      messages.Update();
-      check.That(messages.Error().empty(), what + ": " + messages.Error());
+      RunWithoutError(check, filter, what);
     }
     for (int port = 0; port < forGrids[i]->GetNumberOfOutputPorts(); ++port)
     {
@@ -129,17 +121,12 @@ void CheckVolume(Check& check, Ranks ranks)
   volume->SetPoints(Tetrahedron()->GetPoints());
   const vtkIdType ids[] = { 0, 1, 2, 3 };
   volume->InsertNextCell(VTK_TETRA, 4, ids);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputDataObject(0,
-    ranks.Rank == ranks.Count - 1 ? vtkSmartPointer<vtkDataObject>(volume)
-                                  : vtkSmartPointer<vtkDataObject>(Part(surface,
-                                      FacesOf(surface, AtRandom(ranks.Count), ranks.Rank))));
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
-  Messages messages(filter);
-  messages.Update();
-  check.That(
-    Contains(messages.Error(), "vtkTetra") && Contains(messages.Error(), "Extract Surface"),
-    "all ranks tell of a volume: " + messages.Error());
+  const auto filter = RefinedField(ranks.Rank == ranks.Count - 1
+      ? vtkSmartPointer<vtkDataObject>(volume)
+      : vtkSmartPointer<vtkDataObject>(PieceOf(surface, AtRandom(ranks.Count), ranks.Rank)),
+    PointSources({ { 0, 0, 0 } }));
+  Messages(filter).ExpectError(
+    check, { "vtkTetra", "Extract Surface" }, "all ranks tell of a volume");
   CheckOutputsEmpty(check, filter, "a volume on one rank");
 }
 

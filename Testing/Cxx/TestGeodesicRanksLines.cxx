@@ -5,26 +5,10 @@
 #include "LineTesting.h"
 #include "RanksTesting.h"
 
-#include "vtkCutter.h"
-#include "vtkPlane.h"
-
 using namespace GeodesicTesting;
 
 namespace
 {
-
-/// A section, as lines.
-vtkSmartPointer<vtkPolyData> Section(vtkPolyData* surface, const Point& normal, const Point& origin)
-{
-  vtkNew<vtkPlane> plane;
-  plane->SetNormal(normal.data());
-  plane->SetOrigin(origin.data());
-  vtkNew<vtkCutter> slice;
-  slice->SetInputData(surface);
-  slice->SetCutFunction(plane);
-  slice->Update();
-  return slice->GetOutput();
-}
 
 /// The lines of this rank: those of its piece, or one of many that were dealt out.
 vtkSmartPointer<vtkPolyData> Dealt(vtkPolyData* lines, Ranks ranks)
@@ -49,25 +33,20 @@ void CheckLoop(Check& check, Ranks ranks, vtkPolyData* sphere, const Cut& cut, b
 {
   const double height = 0.013;
   const auto whole = Section(sphere, { 0, 0, 1 }, { 0, 0, height });
-  const auto piece = Part(sphere, FacesOf(sphere, cut, ranks.Rank));
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(piece);
-  filter->SetSourceData(
-    areDealt ? Dealt(whole, ranks) : Section(piece, { 0, 0, 1 }, { 0, 0, height }));
+  const auto piece = PieceOf(sphere, cut, ranks.Rank);
+  const auto filter = PlainField(
+    piece, areDealt ? Dealt(whole, ranks) : Section(piece, { 0, 0, 1 }, { 0, 0, height }));
   filter->GenerateSourceIdsOn();
   filter->GenerateSourceArcLengthOn();
   filter->GenerateSignedDistanceOn();
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), name + ": " + messages.Error());
+  RunWithoutError(check, filter, name);
   if (ranks.Rank == 0)
   {
     vtkPolyData* curves = OutputOf(filter, 1);
-    check.Equal(static_cast<double>(curves->GetNumberOfLines()), 1.0, name + ": curves");
-    check.Equal(static_cast<double>(curves->GetNumberOfVerts()), 0.0, name + ": points");
-    check.That(std::abs(TotalLength(curves) - TotalLength(whole)) < 1e-12, name + ": its length");
-    check.Equal(curves->GetCellData()->GetArray("SourceId")->GetTuple1(0), 0.0, name + ": its id");
+    check.Equal(curves->GetNumberOfLines(), 1.0, name + ": curves");
+    check.Equal(curves->GetNumberOfVerts(), 0.0, name + ": points");
+    check.Near(TotalLength(curves), TotalLength(whole), 1e-12, name + ": its length");
+    check.Equal(CellValue(curves, "SourceId", 0), 0.0, name + ": its id");
     check.That(
       curves->GetPointData()->GetArray("SourceArcLength")->GetRange()[1] > 0.9 * TotalLength(whole),
       name + ": arc lengths along all of it");
@@ -99,15 +78,10 @@ void CheckNames(Check& check, Ranks ranks, vtkPolyData* sphere)
   {
     lines->GetCellData()->AddArray(labels);
   }
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(Part(sphere, FacesOf(sphere, Strips(sphere, ranks.Count), ranks.Rank)));
-  filter->SetSourceData(lines);
+  const auto filter = PlainField(PieceOf(sphere, Strips(sphere, ranks.Count), ranks.Rank), lines);
   filter->SetSourceIdArrayName("label");
   filter->GenerateSourceIdsOn();
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), "names: " + messages.Error());
+  RunWithoutError(check, filter, "names");
   std::set<double> ids;
   vtkDataArray* ofPoints = filter->GetOutput()->GetPointData()->GetArray("SourceId");
   for (vtkIdType i = 0; i < ofPoints->GetNumberOfTuples(); ++i)
@@ -130,12 +104,10 @@ int TestGeodesicRanksLines(int argc, char* argv[])
         [](const Point& p) {
           return Point{ p[0] + 0.5, p[1] + 0.01 * p[0], p[2] };
         });
-      const std::pair<const char*, Cut> cuts[] = { { "strips", Strips(sphere, ranks.Count) },
-        { "at random", AtRandom(ranks.Count) } };
-      for (const auto& [name, cut] : cuts)
+      for (const auto& [name, cut] : Cuts(sphere, ranks, { "in strips", "at random" }))
       {
-        CheckLoop(check, ranks, sphere, cut, true, std::string(name) + ", lines dealt out");
-        CheckLoop(check, ranks, sphere, cut, false, std::string(name) + ", lines of the piece");
+        CheckLoop(check, ranks, sphere, cut, true, name + ", lines dealt out");
+        CheckLoop(check, ranks, sphere, cut, false, name + ", lines of the piece");
       }
       CheckNames(check, ranks, sphere);
     });

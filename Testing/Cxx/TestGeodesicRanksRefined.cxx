@@ -86,23 +86,11 @@ Corner CornerAt(vtkPolyData* output, vtkIdType id)
   return corner;
 }
 
-/// The data sets that an input or an output is made of.
-std::vector<vtkPolyData*> PartsOf(vtkDataObject* data)
-{
-  std::vector<vtkPolyData*> parts;
-  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data);
-  for (unsigned int i = 0; blocks && i < blocks->GetNumberOfBlocks(); ++i)
-  {
-    parts.push_back(vtkPolyData::SafeDownCast(blocks->GetBlock(i)));
-  }
-  return blocks ? parts : std::vector<vtkPolyData*>{ vtkPolyData::SafeDownCast(data) };
-}
-
 /// The triangles of an output that are surface, or those that are copies by ghost arrays.
 std::vector<Corners> TrianglesOf(vtkDataObject* output, bool areCopies)
 {
   std::vector<Corners> triangles;
-  for (vtkPolyData* part : PartsOf(output))
+  for (vtkPolyData* part : LeavesOf(output))
   {
     vtkDataArray* ghosts = part->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
     for (vtkIdType i = 0; i < part->GetNumberOfPolys(); ++i)
@@ -144,14 +132,6 @@ std::vector<Corners> Gathered(const std::vector<Corners>& own)
   return all;
 }
 
-double Sum(double own)
-{
-  double all = 0.0;
-  vtkMultiProcessController::GetGlobalController()->AllReduce(
-    &own, &all, 1, vtkCommunicator::SUM_OP);
-  return all;
-}
-
 Point PlaceOf(const Corner::Numbers& corner)
 {
   return { corner[0], corner[1], corner[2] };
@@ -184,8 +164,7 @@ std::map<int, double> LengthsOfRims(const std::vector<Corners>& triangles)
 void CompareLengths(Check& check, const std::map<int, double>& actual,
   const std::map<int, double>& expected, const std::string& what)
 {
-  check.Equal(static_cast<double>(actual.size()), static_cast<double>(expected.size()),
-    what + ": edges have as many triangles as before");
+  check.Equal(actual.size(), expected.size(), what + ": edges have as many triangles as before");
   for (const auto& [count, length] : expected)
   {
     const auto found = actual.find(count);
@@ -241,7 +220,7 @@ void CheckCoordinates(Check& check, const Corner& at, const double* frame, const
     {
       const double reached =
         SourcePoint[x] + at.Texture[0] * frame[x] + at.Texture[1] * frame[3 + x];
-      check.That(std::abs(reached - at.Place[x]) <= std::max(1e-12, 2e-3 * at.Distance),
+      check.Near(reached, at.Place[x], std::max(1e-12, 2e-3 * at.Distance),
         what + ": texture coordinates around the point");
       const double direction = at.Distance > 1e-6
         ? std::cos(at.Angle) * frame[x] + std::sin(at.Angle) * frame[3 + x] -
@@ -251,8 +230,7 @@ void CheckCoordinates(Check& check, const Corner& at, const double* frame, const
     }
     return;
   }
-  check.That(
-    std::abs(at.ArcLength - DistanceToSegment(at.Foot, SourceLine[0], SourceLine[0])) <= 1e-12,
+  check.Near(at.ArcLength, DistanceToSegment(at.Foot, SourceLine[0], SourceLine[0]), 1e-12,
     what + ": arc length");
   check.That(at.Texture[0] == at.ArcLength && at.Texture[1] == at.SignedDistance,
     what + ": texture coordinates along the line");
@@ -283,9 +261,9 @@ void CheckOnPlane(Check& check, const Corner& at, double tolerance, const std::s
   const double toPoint = DistanceToSegment(p, SourcePoint, SourcePoint);
   const double toLine = DistanceToSegment(p, SourceLine[0], SourceLine[1]);
   const double truth = std::min(toPoint, toLine);
-  check.That(std::abs(at.Distance - truth) <= tolerance, what + ": distance");
+  check.Near(at.Distance, truth, tolerance, what + ": distance");
   const bool isFromLine = at.SourceId == 1.0;
-  check.That(std::abs((isFromLine ? toLine : toPoint) - truth) <= 1e-12, what + ": source");
+  check.Near((isFromLine ? toLine : toPoint), truth, 1e-12, what + ": source");
   const double besideSource = isFromLine ? DistanceToSegment(at.Foot, SourceLine[0], SourceLine[1])
                                          : DistanceToSegment(at.Foot, SourcePoint, SourcePoint);
   const double toFoot = DistanceToSegment(p, at.Foot, at.Foot);
@@ -353,15 +331,10 @@ void CheckBound(Check& check, vtkGeodesicDistanceField* filter, const Task& task
 /// The input's points come first, cells are parts of the input's.
 void CheckPiece(Check& check, vtkPolyData* output, vtkPolyData* piece, const std::string& what)
 {
-  bool areSame = output->GetNumberOfPoints() >= piece->GetNumberOfPoints();
-  for (vtkIdType i = 0; areSame && i < piece->GetNumberOfPoints(); ++i)
-  {
-    Point before;
-    Point after;
-    piece->GetPoint(i, before.data());
-    output->GetPoint(i, after.data());
-    areSame = before == after;
-  }
+  const std::vector<Point> before = PlacesOf(piece);
+  const std::vector<Point> after = PlacesOf(output);
+  const bool areSame =
+    after.size() >= before.size() && std::equal(before.begin(), before.end(), after.begin());
   check.That(areSame, what + ": the input's points come first");
   vtkDataArray* ids = output->GetCellData()->GetArray("OriginalCellIds");
   check.That(
@@ -371,8 +344,8 @@ void CheckPiece(Check& check, vtkPolyData* output, vtkPolyData* piece, const std
   {
     parents.insert(ids->GetTuple1(i));
   }
-  check.Equal(static_cast<double>(parents.size()), static_cast<double>(piece->GetNumberOfCells()),
-    what + ": all cells of the piece have parts");
+  check.Equal(
+    parents.size(), piece->GetNumberOfCells(), what + ": all cells of the piece have parts");
 }
 
 /// Checks the values at the points of this rank's cells.
@@ -386,7 +359,7 @@ void CheckValues(Check& check, vtkDataObject* output, const Task& task)
     frames->GetTuple(0, frame.data());
   }
   double unreached = 0.0;
-  for (vtkPolyData* part : PartsOf(output))
+  for (vtkPolyData* part : LeavesOf(output))
   {
     vtkNew<vtkIdList> used;
     part->BuildLinks();
@@ -418,9 +391,7 @@ void Run(Check& check, const Task& task)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
   Ask(filter, task);
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), task.Name + ": " + messages.Error());
+  RunWithoutError(check, filter, task.Name);
   vtkDataObject* output = filter->GetOutputDataObject(0);
   const std::vector<Corners> all = Gathered(TrianglesOf(output, false));
   const std::vector<Corners> copies = TrianglesOf(output, true);
@@ -459,30 +430,17 @@ vtkSmartPointer<vtkPolyData> WithFarGhosts(vtkPolyData* surface, const Cut& cut,
 vtkSmartPointer<vtkMultiBlockDataSet> InBlocks(vtkPolyData* surface, Ranks ranks, bool hasGhosts)
 {
   const Cut cut = AtRandom(2 * ranks.Count);
-  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  for (int i = 0; i < 2; ++i)
-  {
-    const int number = 2 * ranks.Rank + i;
-    blocks->SetBlock(static_cast<unsigned int>(i),
-      hasGhosts ? PartWithGhosts(surface, cut, number)
-                : Part(surface, FacesOf(surface, cut, number)));
-  }
-  return blocks;
+  const auto block = [&](int number)
+  { return hasGhosts ? PartWithGhosts(surface, cut, number) : PieceOf(surface, cut, number); };
+  return Blocks({ block(2 * ranks.Rank), block(2 * ranks.Rank + 1) });
 }
 
 /// Every way in which ranks have a surface.
 void TestCuts(Check& check, Ranks ranks, vtkPolyData* surface, const std::string& name, bool isFlat)
 {
-  const int fewer = std::max(1, ranks.Count - 1);
-  std::vector<std::pair<std::string, Cut>> cuts = {
-    { "in strips", Strips(surface, ranks.Count) },
-    { "at random", AtRandom(ranks.Count) },
-    { "with nothing on the last rank", AtRandom(fewer) },
-  };
-  if (surface->GetCellData()->HasArray("barrier"))
-  {
-    cuts.back() = { "barriers on a rank of their own", BarriersApart(surface, ranks.Count) };
-  }
+  const auto cuts = Cuts(surface, ranks,
+    { "in strips", "at random",
+      HasBarriers(surface) ? "barriers on a rank of their own" : "with nothing on the last rank" });
   Task task;
   task.Surface = surface;
   task.IsFlat = isFlat;
@@ -495,7 +453,7 @@ void TestCuts(Check& check, Ranks ranks, vtkPolyData* surface, const std::string
   for (const auto& [how, cut] : cuts)
   {
     const auto withGhosts = PartWithGhosts(surface, cut, ranks.Rank);
-    run(how, Part(surface, FacesOf(surface, cut, ranks.Rank)));
+    run(how, PieceOf(surface, cut, ranks.Rank));
     task.Tolerance = 3e-4;
     run(how + ", with ghosts", withGhosts);
     task.Tolerance = 1e-3;
@@ -541,10 +499,8 @@ void TestDuplicates(Check& check, Ranks ranks, vtkPolyData* surface)
   {
     faces.push_back(shared);
   }
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Part(surface, faces));
-  filter->SetBarrierArrayName(surface->GetCellData()->HasArray("barrier") ? "barrier" : nullptr);
-  filter->SetSourceData(PointSources({ { 0.3, 0.4, 0.0 } }));
+  const auto filter = RefinedField(Part(surface, faces), PointSources({ { 0.3, 0.4, 0.0 } }));
+  filter->SetBarrierArrayName(HasBarriers(surface) ? "barrier" : nullptr);
   filter->SetRefinementTolerance(3e-4);
   filter->Update();
   std::map<Corners, int> count;
@@ -563,11 +519,9 @@ void TestDuplicates(Check& check, Ranks ranks, vtkPolyData* surface)
 /// The maximum counts all ranks' cells.
 void TestMaximum(Check& check, Ranks ranks, vtkPolyData* surface)
 {
-  const auto piece = Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank));
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(piece);
-  filter->SetBarrierArrayName(surface->GetCellData()->HasArray("barrier") ? "barrier" : nullptr);
-  filter->SetSourceData(PointSources({ { 0.3, 0.4, 0.0 } }));
+  const auto piece = PieceAtRandom(surface, ranks);
+  const auto filter = RefinedField(piece, PointSources({ { 0.3, 0.4, 0.0 } }));
+  filter->SetBarrierArrayName(HasBarriers(surface) ? "barrier" : nullptr);
   filter->SetRefinementTolerance(1e-6);
   const vtkIdType most = 3 * surface->GetNumberOfPolys();
   filter->SetMaximumNumberOfCells(most);
@@ -584,8 +538,7 @@ void TestMaximum(Check& check, Ranks ranks, vtkPolyData* surface)
     "and is told, on the first rank");
   filter->SetMaximumNumberOfCells(surface->GetNumberOfPolys() - 1);
   messages.Update();
-  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfCells()),
-    static_cast<double>(piece->GetNumberOfCells()),
+  check.Equal(filter->GetOutput()->GetNumberOfCells(), piece->GetNumberOfCells(),
     "a surface with more faces than the maximum is not refined");
 }
 
@@ -607,15 +560,13 @@ void TestPrecisions(Check& check, Ranks ranks)
       return Point{ corner[0] + size * p[0], corner[1] + size * p[1], corner[2] };
     });
   const Cut cut = [&rankOf](vtkIdType face) { return rankOf[static_cast<std::size_t>(face)]; };
-  const auto piece = Part(surface, FacesOf(surface, cut, ranks.Rank));
+  const auto piece = PieceOf(surface, cut, ranks.Rank);
   const Point source = { corner[0] + 700.0, corner[1] + 3100.0, corner[2] };
   for (const int precision : { vtkAlgorithm::DEFAULT_PRECISION, vtkAlgorithm::SINGLE_PRECISION,
          vtkAlgorithm::DOUBLE_PRECISION })
   {
     const std::string what = "far from the origin, precision " + std::to_string(precision);
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(piece);
-    filter->SetSourceData(PointSources({ source }));
+    const auto filter = RefinedField(piece, PointSources({ source }));
     filter->SetRefinementTolerance(1e-4);
     filter->SetOutputPointsPrecision(precision);
     filter->Update();
@@ -656,10 +607,9 @@ void TestTypesOfEmptyPieces(Check& check, Ranks ranks, vtkPolyData* surface)
   {
     const Cut cut = [&](vtkIdType face) { return ranks.Count - 1 - AtRandom(withPieces)(face); };
     const std::vector<vtkIdType> faces = FacesOf(surface, cut, ranks.Rank);
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(
-      faces.empty() ? vtkSmartPointer<vtkPolyData>::New() : Part(surface, faces));
-    filter->SetSourceData(PointSources({ { 0.3, 0.4, 0.0 } }));
+    const auto filter =
+      RefinedField(faces.empty() ? vtkSmartPointer<vtkPolyData>::New() : Part(surface, faces),
+        PointSources({ { 0.3, 0.4, 0.0 } }));
     filter->Update();
     vtkPoints* points = filter->GetOutput()->GetPoints();
     check.That(points && points->GetDataType() == VTK_DOUBLE,
@@ -670,19 +620,13 @@ void TestTypesOfEmptyPieces(Check& check, Ranks ranks, vtkPolyData* surface)
 /// Where paths over all pieces end, and in which direction they leave from there.
 void TestEndsOfPaths(Check& check, Ranks ranks, vtkPolyData* plane)
 {
-  for (const auto& [name, cut] :
-    std::vector<std::pair<std::string, Cut>>{ { "paths in strips", Strips(plane, ranks.Count) },
-      { "paths at random", AtRandom(ranks.Count) } })
+  for (const auto& [name, cut] : Cuts(plane, ranks, { "in strips", "at random" }))
   {
-    vtkNew<vtkGeodesicPaths> filter;
-    filter->SetInputData(Part(plane, FacesOf(plane, cut, ranks.Rank)));
-    filter->SetSourceData(Sources());
+    const auto filter = FilterOn<vtkGeodesicPaths>(PieceOf(plane, cut, ranks.Rank), Sources());
     filter->SetTargetsData(plane);
     filter->GenerateSourceArcLengthOn();
     filter->GenerateSourceAngleOn();
-    Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty(), name + ": " + messages.Error());
+    RunWithoutError(check, filter, name);
     vtkPolyData* output = filter->GetOutput();
     vtkDataArray* frames = output->GetFieldData()->GetArray("SourceFrame");
     check.That(frames && frames->GetNumberOfTuples() == 2, name + ": frames on every rank");
@@ -728,9 +672,7 @@ void TestAbort(Check& check, Ranks ranks, vtkPolyData* surface)
         filter->SetAbortExecute(1);
       }
     });
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), "an abort is no error: " + messages.Error());
+  RunWithoutError(check, filter, "an abort is no error");
   CheckOutputsEmpty(check, filter, "an abort on one rank");
   Run(check, task);
 }

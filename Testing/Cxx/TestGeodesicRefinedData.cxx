@@ -43,8 +43,7 @@ void AddPointData(vtkPolyData* surface)
   const auto ghost = Named<vtkUnsignedCharArray>(vtkDataSetAttributes::GhostArrayName(), count);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    double p[3];
-    surface->GetPoint(i, p);
+    const Point p = PointAt(surface, i);
     heat->SetValue(i, static_cast<float>(2.0 * p[0] + 3.0 * p[1]));
     flow->SetTuple3(i, p[0], p[1], 1.0);
     rank->SetValue(i, static_cast<int>(1000.0 * p[0]));
@@ -88,21 +87,15 @@ void AddCellData(vtkPolyData* surface)
 /// The input's point at the place that is nearest to a point of the cell, among the cell's corners.
 vtkIdType Nearest(vtkPolyData* surface, vtkIdType cell, const Point& p, double& lead)
 {
-  vtkNew<vtkIdList> ids;
-  surface->GetPolys()->GetCellAtId(cell, ids);
+  const std::vector<vtkIdType> ids = IdsOf(surface->GetPolys(), cell);
   // In barycentric coordinates, since that is what interpolation uses.
-  std::array<Point, 3> c;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    surface->GetPoint(ids->GetId(static_cast<vtkIdType>(k)), c[k].data());
-  }
+  const std::vector<Point> c = PlacesOf(surface, ids);
   const auto area = [](const Point& a, const Point& b, const Point& d)
   { return (b[0] - a[0]) * (d[1] - a[1]) - (b[1] - a[1]) * (d[0] - a[0]); };
   std::array<std::pair<double, vtkIdType>, 3> weights;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    weights[k] = { area(c[(k + 1) % 3], c[(k + 2) % 3], p) / area(c[0], c[1], c[2]),
-      ids->GetId(static_cast<vtkIdType>(k)) };
+    weights[k] = { area(c[(k + 1) % 3], c[(k + 2) % 3], p) / area(c[0], c[1], c[2]), ids[k] };
   }
   std::sort(weights.begin(), weights.end());
   lead = weights[2].first - weights[1].first;
@@ -113,14 +106,13 @@ void CheckPoint(Check& check, vtkPolyData* surface, vtkPolyData* output, vtkIdTy
   vtkIdType point, const std::string& name)
 {
   vtkPointData* data = output->GetPointData();
-  Point p;
-  output->GetPoint(point, p.data());
+  const Point p = PointAt(output, point);
   const auto value = [&](const char* array) { return data->GetArray(array)->GetTuple1(point); };
   check.That(std::abs(value("Heat") - 2.0 * p[0] - 3.0 * p[1]) < 1e-5, name + ": a float");
   const double* flow = data->GetArray("Flow")->GetTuple3(point);
   check.That(std::abs(flow[0] - p[0]) + std::abs(flow[1] - p[1]) + std::abs(flow[2] - 1.0) < 1e-12,
     name + ": a vector");
-  check.That(std::abs(value("Rank") - 1000.0 * p[0]) <= 0.5 + 1e-9, name + ": an integer");
+  check.Near(value("Rank"), 1000.0 * p[0], 0.5 + 1e-9, name + ": an integer");
 
   double lead = 0.0;
   const vtkIdType nearest = Nearest(surface, cell, p, lead);
@@ -133,7 +125,7 @@ void CheckPoint(Check& check, vtkPolyData* surface, vtkPolyData* output, vtkIdTy
     const_cast<vtkStringArray*>(label)->GetValue(point) == "point " + std::to_string(nearest),
     name + ": a string");
   check.Equal(value("Id"), 7.0 * static_cast<double>(nearest), name + ": an id");
-  check.Equal(value("Bit"), static_cast<double>(nearest % 2), name + ": a bit");
+  check.Equal(value("Bit"), nearest % 2, name + ": a bit");
   check.Equal(value("Pedigree"), 11.0 * static_cast<double>(nearest), name + ": a pedigree id");
 }
 
@@ -142,8 +134,7 @@ void CheckGhostPoint(Check& check, vtkPolyData* surface, vtkPolyData* output, vt
 {
   vtkNew<vtkIdList> ids;
   surface->GetPolys()->GetCellAtId(cell, ids);
-  Point p;
-  output->GetPoint(point, p.data());
+  const Point p = PointAt(output, point);
   bool all = true;
   bool any = false;
   for (vtkIdType k = 0; k < 3; ++k)
@@ -184,12 +175,8 @@ void CheckSurface(Check& check, vtkSmartPointer<vtkPolyData> surface, const std:
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->DeepCopy(surface);
   const vtkMTimeType before = surface->GetMTime();
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(Polyline(Line));
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), name + ": " + messages.Error());
+  const auto filter = RefinedField(surface, Polyline(Line));
+  RunWithoutError(check, filter, name);
   check.That(surface->GetMTime() == before, name + ": the input is not modified");
 
   vtkPolyData* output = filter->GetOutput();
@@ -202,18 +189,16 @@ void CheckSurface(Check& check, vtkSmartPointer<vtkPolyData> surface, const std:
   check.That(data->GetScalars() == Distances(filter), name + ": the distance is the scalars");
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    check.Equal(static_cast<double>(data->GetAbstractArray(i)->GetNumberOfTuples()),
-      static_cast<double>(output->GetNumberOfPoints()), name + ": values of an array");
+    check.Equal(data->GetAbstractArray(i)->GetNumberOfTuples(), output->GetNumberOfPoints(),
+      name + ": values of an array");
   }
   for (vtkIdType cell = 0; originals && cell < output->GetNumberOfCells(); ++cell)
   {
-    vtkNew<vtkIdList> ids;
-    output->GetPolys()->GetCellAtId(cell, ids);
-    for (vtkIdType k = 0; k < 3; ++k)
+    for (const vtkIdType id : IdsOf(output->GetPolys(), cell))
     {
       const auto original = static_cast<vtkIdType>(originals->GetTuple1(cell));
-      CheckPoint(check, copy, output, original, ids->GetId(k), name);
-      CheckGhostPoint(check, copy, output, original, ids->GetId(k), name);
+      CheckPoint(check, copy, output, original, id, name);
+      CheckGhostPoint(check, copy, output, original, id, name);
     }
   }
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
@@ -230,12 +215,8 @@ void CheckArrayOfOriginals(Check& check)
   const auto mine = Named<vtkDoubleArray>("OriginalCellIds", surface->GetNumberOfCells());
   mine->Fill(-1.0);
   surface->GetCellData()->AddArray(mine);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(Polyline(Line));
-  Messages messages(filter);
-  messages.Update();
-  check.That(Contains(messages.Warning(), "already has a cell array named OriginalCellIds"),
+  const auto filter = RefinedField(surface, Polyline(Line));
+  Messages(filter).ExpectWarning(check, { "already has a cell array named OriginalCellIds" },
     "an existing array of cells is told");
   check.That(
     surface->GetCellData()->GetArray("OriginalCellIds") == mine.Get(), "the input keeps it");
@@ -250,10 +231,7 @@ void CheckGlobalIdsOfPolygons(Check& check)
   {
     const auto surface = Square(2, cells);
     AddCellData(surface);
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->RefineMeshOff();
-    filter->SetInputData(surface);
-    filter->SetSourceData(Polyline(Line));
+    const auto filter = PlainField(surface, Polyline(Line));
     filter->Update();
     const bool areCellsKept = cells == Cells::Triangles;
     check.That((filter->GetOutput()->GetCellData()->GetGlobalIds() != nullptr) == areCellsKept,

@@ -17,26 +17,6 @@ namespace
 
 const std::vector<Point> Line = { { 0.1, 0.2, 0 }, { 0.7, 0.35, 0 }, { 0.65, 0.9, 0 } };
 
-Point PointOf(vtkPolyData* data, vtkIdType id)
-{
-  Point p;
-  data->GetPoint(id, p.data());
-  return p;
-}
-
-std::array<vtkIdType, 3> Corners(vtkPolyData* data, vtkIdType cell)
-{
-  vtkNew<vtkIdList> ids;
-  data->GetPolys()->GetCellAtId(cell, ids);
-  return { ids->GetId(0), ids->GetId(1), ids->GetId(2) };
-}
-
-std::array<Point, 3> CornerPoints(vtkPolyData* data, vtkIdType cell)
-{
-  const auto ids = Corners(data, cell);
-  return { PointOf(data, ids[0]), PointOf(data, ids[1]), PointOf(data, ids[2]) };
-}
-
 /// Twice the area of a triangle in the plane z = 0, with its sign.
 double Area(const Point& a, const Point& b, const Point& c)
 {
@@ -59,8 +39,8 @@ double MeasuredError(vtkGeodesicDistanceField* filter, const Distance& truth, do
   double worst = 0.0;
   for (vtkIdType cell = 0; cell < output->GetNumberOfPolys(); ++cell)
   {
-    const auto ids = Corners(output, cell);
-    const auto corners = CornerPoints(output, cell);
+    const auto ids = IdsOf(output->GetPolys(), cell);
+    const auto corners = CornersOf(output, cell);
     if (std::min({ truth(corners[0]), truth(corners[1]), truth(corners[2]) }) > limit)
     {
       continue;
@@ -108,7 +88,7 @@ std::map<std::pair<Point, Point>, int> Edges(vtkPolyData* data)
   std::map<std::pair<Point, Point>, int> edges;
   for (vtkIdType cell = 0; cell < data->GetNumberOfPolys(); ++cell)
   {
-    const auto corners = CornerPoints(data, cell);
+    const auto corners = CornersOf(data, cell);
     for (std::size_t k = 0; k < 3; ++k)
     {
       ++edges[std::minmax(corners[k], corners[(k + 1) % 3])];
@@ -131,9 +111,7 @@ void CheckSquareIsWhole(Check& check, vtkPolyData* output, const std::string& wh
 
 void CheckClosedIsWhole(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Tetrahedron());
-  filter->SetSourceData(PointSources({ { 0.2, 0.3, 0 } }));
+  const auto filter = RefinedField(Tetrahedron(), PointSources({ { 0.2, 0.3, 0 } }));
   filter->Update();
   check.That(filter->GetOutput()->GetNumberOfCells() > 100, "a tetrahedron is refined");
   for (const auto& edge : Edges(filter->GetOutput()))
@@ -156,7 +134,7 @@ void CheckGeometry(
   }
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
-    check.That(PointOf(output, i) == PointOf(input, i), what + ": the input's points");
+    check.That(PointAt(output, i) == PointAt(input, i), what + ": the input's points");
   }
   std::vector<double> filled(static_cast<std::size_t>(input->GetNumberOfPolys()), 0.0);
   vtkIdType last = 0;
@@ -165,8 +143,8 @@ void CheckGeometry(
     const auto original = static_cast<vtkIdType>(originals->GetTuple1(cell));
     check.That(original >= last, what + ": the parts of cells in the order of the cells");
     last = original;
-    const auto outer = CornerPoints(input, original);
-    const auto inner = CornerPoints(output, cell);
+    const auto outer = CornersOf(input, original);
+    const auto inner = CornersOf(output, cell);
     const double area = Area(outer[0], outer[1], outer[2]);
     for (std::size_t k = 0; k < 3; ++k)
     {
@@ -182,7 +160,7 @@ void CheckGeometry(
   }
   for (const double sum : filled)
   {
-    check.That(std::abs(sum - 1.0) < 1e-4, what + ": the parts fill their cell");
+    check.Near(sum, 1.0, 1e-4, what + ": the parts fill their cell");
   }
 }
 
@@ -190,9 +168,7 @@ void CheckTolerances(Check& check, int dataType)
 {
   const std::string name = dataType == VTK_FLOAT ? "32 bits, " : "64 bits, ";
   auto surface = Square(8, Cells::Triangles, dataType);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(Polyline(Line));
+  const auto filter = RefinedField(surface, Polyline(Line));
   const double diagonal = std::sqrt(2.0);
   vtkIdType before = 0;
   for (const double tolerance : { 1e-2, 1e-3, 1e-4 })
@@ -214,8 +190,8 @@ void CheckTolerances(Check& check, int dataType)
   filter->ToleranceIsAbsoluteOn();
   filter->SetAbsoluteRefinementTolerance(1e-4 * diagonal);
   filter->Update();
-  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfCells()),
-    static_cast<double>(before), name + "triangles with an absolute tolerance");
+  check.Equal(
+    filter->GetOutput()->GetNumberOfCells(), before, name + "triangles with an absolute tolerance");
 }
 
 /// What linear interpolation misses most: sources strictly inside one face, the only local maximum
@@ -223,9 +199,7 @@ void CheckTolerances(Check& check, int dataType)
 void CheckInsideOfFaces(Check& check)
 {
   const Point source = { 0.6, 0.3, 0 };
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(1));
-  filter->SetSourceData(PointSources({ source }));
+  const auto filter = RefinedField(Square(1), PointSources({ source }));
   filter->Update();
   CheckBounds(check, filter, DistanceTo({ source }), 1e-3 * std::sqrt(2.0), "a point in a face");
   const std::vector<Point> segment = { source, { 0.7, 0.31, 0 } };
@@ -240,12 +214,10 @@ void CheckInsideOfFaces(Check& check)
 
 void CheckNothingToRefine(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(4));
-  filter->SetSourceData(Polyline({ { 0, 0, 0 }, { 0, 1, 0 } }));
+  const auto filter = RefinedField(Square(4), Polyline({ { 0, 0, 0 }, { 0, 1, 0 } }));
   filter->Update();
-  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfCells()), 32.0,
-    "triangles where the distance is linear");
+  check.Equal(
+    filter->GetOutput()->GetNumberOfCells(), 32.0, "triangles where the distance is linear");
   check.That(filter->GetInterpolationErrorBound() < 1e-9, "its bound");
   check.That(Originals(filter) != nullptr, "its original cells");
 
@@ -259,9 +231,7 @@ void CheckNothingToRefine(Check& check)
 void CheckSeams(Check& check)
 {
   auto soup = Soup(Square(4));
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(soup);
-  filter->SetSourceData(Polyline(Line));
+  const auto filter = RefinedField(soup, Polyline(Line));
   filter->Update();
   vtkPolyData* output = filter->GetOutput();
   CheckBounds(check, filter, DistanceTo(Line), 1e-3 * std::sqrt(2.0), "soup");
@@ -274,27 +244,25 @@ void CheckSeams(Check& check)
   for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
   {
     const auto original = static_cast<vtkIdType>(Originals(filter)->GetTuple1(cell));
-    for (const vtkIdType point : Corners(output, cell))
+    for (const vtkIdType point : IdsOf(output->GetPolys(), cell))
     {
       cellsOfPoint[point].insert(original);
       pointsOfCell[original].insert(point);
     }
   }
-  check.Equal(static_cast<double>(cellsOfPoint.size()),
-    static_cast<double>(output->GetNumberOfPoints()), "soup: points that are used");
+  check.Equal(cellsOfPoint.size(), output->GetNumberOfPoints(), "soup: points that are used");
   for (const auto& [point, cells] : cellsOfPoint)
   {
-    check.Equal(static_cast<double>(cells.size()), 1.0, "soup: cells of a point");
+    check.Equal(cells.size(), 1.0, "soup: cells of a point");
   }
   for (const auto& [cell, points] : pointsOfCell)
   {
     std::set<Point> places;
     for (const vtkIdType point : points)
     {
-      places.insert(PointOf(output, point));
+      places.insert(PointAt(output, point));
     }
-    check.Equal(static_cast<double>(places.size()), static_cast<double>(points.size()),
-      "soup: places of a cell's points");
+    check.Equal(places.size(), points.size(), "soup: places of a cell's points");
   }
 }
 
@@ -304,7 +272,7 @@ std::map<vtkIdType, std::multiset<std::set<Point>>> Parts(vtkGeodesicDistanceFie
   std::map<vtkIdType, std::multiset<std::set<Point>>> parts;
   for (vtkIdType cell = 0; cell < filter->GetOutput()->GetNumberOfCells(); ++cell)
   {
-    const auto corners = CornerPoints(filter->GetOutput(), cell);
+    const auto corners = CornersOf(filter->GetOutput(), cell);
     parts[static_cast<vtkIdType>(Originals(filter)->GetTuple1(cell))].insert(
       { corners.begin(), corners.end() });
   }
@@ -320,12 +288,9 @@ void CheckDuplicateFaces(Check& check, bool soup)
   surface->GetPolys()->InsertNextCell({ 4, 1, 0 }); // face 0, turned over
   surface->GetPolys()->InsertNextCell({ 8, 4, 5 }); // face 6, its corners turned round
   surface = soup ? Soup(surface) : surface;
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(Polyline(Line));
+  const auto filter = RefinedField(surface, Polyline(Line));
   Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), what + ": " + messages.Error());
+  messages.ExpectNoError(check, what);
   auto parts = Parts(filter);
   check.That(parts[0].size() > 4 && parts[0] == parts[8], what + ": one turned over");
   check.That(parts[6].size() > 4 && parts[6] == parts[9], what + ": one turned round");
@@ -336,19 +301,18 @@ void CheckDuplicateFaces(Check& check, bool soup)
   std::set<vtkIdType> used;
   for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
   {
-    const auto corners = Corners(output, cell);
+    const auto corners = IdsOf(output->GetPolys(), cell);
     used.insert(corners.begin(), corners.end());
   }
-  check.Equal(static_cast<double>(used.size()), static_cast<double>(output->GetNumberOfPoints()),
-    what + ": points that are used");
+  check.Equal(used.size(), output->GetNumberOfPoints(), what + ": points that are used");
 
   // As many as the surface has without duplicates, and they do not fit in any more.
   const auto most = static_cast<vtkIdType>(
     static_cast<std::size_t>(output->GetNumberOfCells()) - parts[8].size() - parts[9].size() + 2);
   filter->SetMaximumNumberOfCells(most);
   messages.Update();
-  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfCells()),
-    static_cast<double>(most), what + ": triangles when the duplicates stay whole");
+  check.Equal(filter->GetOutput()->GetNumberOfCells(), most,
+    what + ": triangles when the duplicates stay whole");
   parts = Parts(filter);
   check.That(parts[8].size() == 1 && parts[9].size() == 1, what + ": they stay whole");
 }
@@ -357,9 +321,7 @@ void CheckLimit(Check& check)
 {
   auto surface = Square(16);
   const double limit = 0.2;
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(Polyline(Line));
+  const auto filter = RefinedField(surface, Polyline(Line));
   filter->SetMaximumDistance(limit);
   filter->Update();
   vtkPolyData* output = filter->GetOutput();
@@ -371,9 +333,9 @@ void CheckLimit(Check& check)
   {
     double nearest = VTK_DOUBLE_MAX;
     double farthest = 0.0;
-    for (const vtkIdType point : Corners(output, cell))
+    for (const vtkIdType point : IdsOf(output->GetPolys(), cell))
     {
-      nearest = std::min(nearest, DistanceTo(Line)(PointOf(output, point)));
+      nearest = std::min(nearest, DistanceTo(Line)(PointAt(output, point)));
       farthest = std::max(farthest, Distances(filter)->GetTuple1(point));
     }
     check.That(nearest > limit || std::isfinite(farthest), "each triangle in the limit is reached");
@@ -384,9 +346,7 @@ void CheckLimit(Check& check)
 
 void CheckCap(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(8));
-  filter->SetSourceData(Polyline(Line));
+  const auto filter = RefinedField(Square(8), Polyline(Line));
   Messages messages(filter);
   filter->SetRefinementTolerance(1e-12);
   filter->SetMaximumNumberOfCells(3000);
@@ -404,34 +364,28 @@ void CheckCap(Check& check)
   CheckBounds(check, filter, DistanceTo(Line), 0.01, "at the cap");
 
   filter->SetRefinementTolerance(0.01);
-  messages.Update();
-  check.That(messages.Warning().empty(), "no warning below the cap: " + messages.Warning());
+  messages.ExpectNoWarning(check, "no warning below the cap");
   filter->SetMaximumNumberOfCells(0);
-  messages.Update();
-  check.That(messages.Warning().empty(), "no warning without a cap: " + messages.Warning());
+  messages.ExpectNoWarning(check, "no warning without a cap");
 
   filter->SetMaximumNumberOfCells(127);
   messages.Update();
   std::cout << messages.Warning();
   check.That(Contains(messages.Warning(), "128 triangles") && Contains(messages.Warning(), "(127)"),
     "a warning that the input is over the cap");
-  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfCells()), 128.0,
-    "triangles of an input over the cap");
+  check.Equal(filter->GetOutput()->GetNumberOfCells(), 128.0, "triangles of an input over the cap");
   check.That(std::isinf(filter->GetInterpolationErrorBound()), "its bound");
   CheckDistances(check, filter, DistanceTo(Line), "an input over the cap");
   filter->SetMaximumNumberOfCells(128);
   messages.Update();
-  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfCells()), 128.0,
-    "triangles of an input at the cap");
+  check.Equal(filter->GetOutput()->GetNumberOfCells(), 128.0, "triangles of an input at the cap");
   check.That(Contains(messages.Warning(), "is reached"), "an input at the cap");
 }
 
 // Merging wide windows would change the distance by more than the tolerance.
 void CheckApproximate(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(8));
-  filter->SetSourceData(Polyline({ { 0.33, 0.41, 0 } }));
+  const auto filter = RefinedField(Square(8), Polyline({ { 0.33, 0.41, 0 } }));
   filter->SetAccuracy(vtkGeodesicDistanceField::APPROXIMATE);
   Messages messages(filter);
   for (const double epsilon : { 1e-3, 1e-2, 1e-1 })

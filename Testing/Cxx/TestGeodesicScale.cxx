@@ -21,58 +21,29 @@ double Scaled(double x, int exponent)
 
 vtkSmartPointer<vtkPolyData> Scaled(vtkPolyData* data, int exponent)
 {
-  auto scaled = vtkSmartPointer<vtkPolyData>::New();
-  scaled->DeepCopy(data);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  auto scaled = CopyOf(data);
+  std::vector<Point> points = PlacesOf(data);
+  for (Point& p : points)
   {
-    double p[3];
-    data->GetPoint(i, p);
-    points->InsertNextPoint(Scaled(p[0], exponent), Scaled(p[1], exponent), Scaled(p[2], exponent));
+    p = { Scaled(p[0], exponent), Scaled(p[1], exponent), Scaled(p[2], exponent) };
   }
-  scaled->SetPoints(points);
+  scaled->SetPoints(PointSources(points)->GetPoints());
   return scaled;
 }
 
 vtkSmartPointer<vtkPolyData> BumpySphere()
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(20);
-  sphere->SetPhiResolution(15);
-  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  sphere->Update();
-  auto bumpy = vtkSmartPointer<vtkPolyData>::New();
-  bumpy->DeepCopy(sphere->GetOutput());
   vtkNew<vtkMinimalStandardRandomSequence> random;
   random->SetSeed(7);
-  for (vtkIdType i = 0; i < bumpy->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    bumpy->GetPoint(i, p);
-    const double factor = 1.0 + 0.2 * random->GetNextValue();
-    bumpy->GetPoints()->SetPoint(i, factor * p[0], factor * p[1], factor * p[2]);
-  }
+  auto bumpy = ChangedSphere(
+    20, 15, [&](const Point& p) { return ScaledBy(1.0 + 0.2 * random->GetNextValue())(p); });
   return bumpy;
 }
 
 /// Three points beside the surface, some faces apart.
 vtkSmartPointer<vtkPolyData> CurveBeside(vtkPolyData* surface)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(3);
-  for (const vtkIdType i : { 3, 40, 200 })
-  {
-    double p[3];
-    surface->GetPoint(i, p);
-    lines->InsertCellPoint(points->InsertNextPoint(1.001 * p[0], 1.001 * p[1], 1.001 * p[2]));
-  }
-  auto curve = vtkSmartPointer<vtkPolyData>::New();
-  curve->SetPoints(points);
-  curve->SetLines(lines);
-  return curve;
+  return Moved(Polyline(PlacesOf(surface, { 3, 40, 200 })), ScaledBy(1.001));
 }
 
 /// All numbers of an execution that are lengths, scaled back.
@@ -89,11 +60,8 @@ std::vector<double> Lengths(vtkGeodesicDistanceField* filter, int exponent)
       lengths.insert(lengths.end(), p, p + 3);
     }
   }
-  vtkDataArray* distances = filter->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
-  for (vtkIdType i = 0; distances && i < distances->GetNumberOfTuples(); ++i)
-  {
-    lengths.push_back(distances->GetTuple1(i));
-  }
+  const std::vector<double> distances = NumbersOf(Distances(filter));
+  lengths.insert(lengths.end(), distances.begin(), distances.end());
   for (double& length : lengths)
   {
     length = Scaled(length, -exponent);
@@ -107,9 +75,8 @@ using Setting = std::function<void(vtkGeodesicDistanceField*, int exponent)>;
 std::vector<double> Run(int exponent, const Setting& set)
 {
   const auto surface = BumpySphere();
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Scaled(surface, exponent));
-  filter->SetSourceData(Scaled(CurveBeside(surface), exponent));
+  const auto filter =
+    RefinedField(Scaled(surface, exponent), Scaled(CurveBeside(surface), exponent));
   set(filter, exponent);
   filter->Update();
   return Lengths(filter, exponent);
@@ -131,12 +98,10 @@ void CheckSizesBeyond(Check& check)
   const auto surface = BumpySphere();
   for (const int exponent : { -980, 980 })
   {
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(Scaled(surface, exponent));
-    filter->SetSourceData(Scaled(CurveBeside(surface), exponent));
-    Messages messages(filter);
-    messages.Update();
-    check.That(Contains(messages.Error(), "between 1e-290 and 1e290"), "a size beyond is an error");
+    const auto filter =
+      RefinedField(Scaled(surface, exponent), Scaled(CurveBeside(surface), exponent));
+    Messages(filter).ExpectError(
+      check, { "between 1e-290 and 1e290" }, "a size beyond is an error");
     check.That(filter->GetOutput()->GetNumberOfPoints() == 0, "a size beyond gives no output");
   }
 }
@@ -146,12 +111,8 @@ void CheckPointsThatNoFaceUses(Check& check)
   const auto surface = Scaled(BumpySphere(), -900);
   surface->GetPointData()->Initialize();
   surface->GetPoints()->InsertNextPoint(1.0, 1e300, 0.0);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(Scaled(CurveBeside(BumpySphere()), -900));
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), "points that no face uses may be anywhere");
+  const auto filter = RefinedField(surface, Scaled(CurveBeside(BumpySphere()), -900));
+  RunWithoutError(check, filter, "points that no face uses may be anywhere");
   check.That(filter->GetOutput()->GetNumberOfPoints() > 0, "and the others have a field");
 }
 

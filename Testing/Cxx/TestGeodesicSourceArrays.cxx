@@ -22,11 +22,6 @@ constexpr double Pi = 3.14159265358979323846;
 
 using Line = std::vector<Point>;
 
-Point Minus(const Point& a, const Point& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
 double Length(const Point& a)
 {
   return std::hypot(a[0], a[1], a[2]);
@@ -40,23 +35,21 @@ Point Unit(const Point& a)
 
 vtkSmartPointer<vtkPolyData> SourceOf(const std::vector<Line>& lines)
 {
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> vertices;
-  vtkNew<vtkCellArray> cells;
+  std::vector<Point> points;
+  std::vector<std::vector<vtkIdType>> vertices;
+  std::vector<std::vector<vtkIdType>> cells;
   for (const Line& line : lines)
   {
-    vtkNew<vtkIdList> ids;
+    std::vector<vtkIdType>& ids = (line.size() > 1 ? cells : vertices).emplace_back();
     for (const Point& p : line)
     {
-      ids->InsertNextId(points->InsertNextPoint(p.data()));
+      ids.push_back(static_cast<vtkIdType>(points.size()));
+      points.push_back(p);
     }
-    (line.size() > 1 ? cells : vertices)->InsertNextCell(ids);
   }
-  data->SetPoints(points);
-  data->SetVerts(vertices);
-  data->SetLines(cells);
+  auto data = PointSources(points);
+  data->SetVerts(CellArray(vertices));
+  data->SetLines(CellArray(cells));
   return data;
 }
 
@@ -171,7 +164,7 @@ int CheckArrays(Check& check, const std::string& of, vtkGeodesicDistanceField* f
     const bool isPoint = lines[source].size() == 1;
     const double d = at.Distance;
     const std::vector<geodesictest::TrueEnd> ends = plane.of(at.Place, framesOfLines);
-    check.That(std::abs(d - ends.front().length) <= tolerance, name + ": the distance");
+    check.Near(d, ends.front().length, tolerance, name + ": the distance");
     // Ties may give any of the ends. Where several lines meet, angles are those of one of them.
     std::vector<geodesictest::TrueEnd> here = ends;
     here.erase(std::remove_if(here.begin(), here.end(),
@@ -188,8 +181,7 @@ int CheckArrays(Check& check, const std::string& of, vtkGeodesicDistanceField* f
     check.That(fits,
       name + ": SourceId " + std::to_string(at.Source) + ", SourceArcLength " +
         std::to_string(at.ArcLength) + ", SourceAngle " + std::to_string(at.Angle));
-    Point gradient;
-    gradients->GetTuple(i, gradient.data());
+    const Point gradient = TupleAt(gradients, i);
     const Point expected = d > 1e-9 ? Unit(Minus(at.Place, at.Foot)) : gradient;
     check.That(Length(Minus(gradient, expected)) <= 1e-9, name + ": DistanceGradient");
     check.That(d > 0.0 || Length(gradient) == 0.0, name + ": no gradient on the source");
@@ -212,33 +204,20 @@ void CheckPlane(Check& check, const std::string& name, const std::vector<Line>& 
     for (const Cells cells : { Cells::Triangles, Cells::Quads })
     {
       const std::string of = name + (refine ? ", refined" : "");
-      vtkNew<vtkGeodesicDistanceField> filter;
+      const auto filter = RefinedField(Square(8, cells), SourceOf(lines));
       filter->SetRefineMesh(refine);
       filter->SetRefinementTolerance(2e-3);
-      filter->SetInputData(Square(8, cells));
-      filter->SetSourceData(SourceOf(lines));
       filter->JoinLinesOff(); // each is a curve of its own
       Messages messages(filter);
       messages.Update();
-      std::vector<double> plain;
-      for (vtkIdType i = 0; i < Distances(filter)->GetNumberOfTuples(); ++i)
-      {
-        plain.push_back(Distances(filter)->GetTuple1(i));
-      }
+      const std::vector<double> plain = NumbersOf(Distances(filter));
       SwitchAllOn(filter);
       filter->GenerateTextureCoordinatesOff(); // these refine borders, too
-      messages.Update();
-      check.That(messages.Error().empty(), of + ": " + messages.Error());
-      check.Equal(static_cast<double>(Distances(filter)->GetNumberOfTuples()),
-        static_cast<double>(plain.size()), of + ": points with and without arrays");
-      for (std::size_t i = 0; i < plain.size(); ++i)
-      {
-        check.That(Distances(filter)->GetTuple1(static_cast<vtkIdType>(i)) == plain[i],
-          of + ": the arrays change no distance");
-      }
+      messages.ExpectNoError(check, of);
+      check.That(
+        NumbersOf(Distances(filter)) == plain, of + ": the arrays change no distance and no point");
       filter->GenerateTextureCoordinatesOn();
-      messages.Update();
-      check.That(messages.Error().empty(), of + ": " + messages.Error());
+      messages.ExpectNoError(check, of);
       const int withoutSign = CheckArrays(check, of, filter, lines);
       const auto count = static_cast<int>(Distances(filter)->GetNumberOfTuples());
       check.That(withoutSign < count / 2, of + ": most points have a sign");
@@ -287,13 +266,10 @@ void CheckPlanes(Check& check)
 void CheckIds(Check& check)
 {
   // Cells of several blocks, polylines of several points, a block without cells.
-  vtkNew<vtkMultiBlockDataSet> source;
-  source->SetBlock(0, SourceOf({ { { 0.1, 0.1, 0 } }, { { 0.9, 0.1, 0 }, { 0.9, 0.3, 0 } } }));
-  source->SetBlock(1, PointSources({ { 0.1, 0.9, 0 }, { 0.9, 0.9, 0 } }));
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(Square(8));
-  filter->SetSourceData(source);
+  const auto source =
+    Blocks({ SourceOf({ { { 0.1, 0.1, 0 } }, { { 0.9, 0.1, 0 }, { 0.9, 0.3, 0 } } }),
+      PointSources({ { 0.1, 0.9, 0 }, { 0.9, 0.9, 0 } }) });
+  const auto filter = PlainField(Square(8), source);
   filter->GenerateSourceIdsOn();
   filter->Update();
   vtkDataArray* ids = Array(filter, "SourceId");
@@ -307,32 +283,22 @@ void CheckIds(Check& check)
   check.That(!filter->GetOutput()->GetPointData()->GetTCoords() &&
       !filter->GetOutput()->GetFieldData()->HasArray("SourceFrame"),
     "no texture coordinates and frames that were not asked for");
-  auto* curves = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+  auto* curves = OutputOf(filter, 1);
   vtkDataArray* ofCurves = curves->GetCellData()->GetArray("SourceId");
-  const double expected[] = { 0, 2, 3, 1 }; // vertices come first
-  for (vtkIdType i = 0; i < 4; ++i)
-  {
-    check.Equal(ofCurves->GetTuple1(i), expected[i], "SourceId of curve " + std::to_string(i));
-  }
+  check.That(NumbersOf(ofCurves) == std::vector<double>{ 0, 2, 3, 1 }, "vertices come first");
 
   filter->SetSourceTypeToCurveAndBoundary();
   filter->GenerateSignedDistanceOn();
   filter->Update();
   check.Equal(Array(filter, "SourceId")->GetTuple1(0), 4, "the boundary comes after the cells");
   check.Equal(Array(filter, "SourceId")->GetTuple1(9 * 7 + 4), 4, "near the boundary");
-  double least = Infinite;
-  for (vtkIdType i = 0; i < 81; ++i)
-  {
-    least = std::min(least, Array(filter, "SignedGeodesicDistance")->GetTuple1(i));
-  }
+  const double least = Array(filter, "SignedGeodesicDistance")->GetRange()[0];
   check.Equal(least, 0.0, "distances from the boundary and from points are positive");
 }
 
 void CheckLimit(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(16));
-  filter->SetSourceData(SourceOf({ { { 0.1, 0.1, 0 }, { 0.2, 0.1, 0 } } }));
+  const auto filter = RefinedField(Square(16), SourceOf({ { { 0.1, 0.1, 0 }, { 0.2, 0.1, 0 } } }));
   filter->SetMaximumDistance(0.3);
   SwitchAllOn(filter);
   filter->Update();
@@ -342,12 +308,9 @@ void CheckLimit(Check& check)
     const double d = Distances(filter)->GetTuple1(i);
     const bool isReached = d < Infinite;
     unreached += isReached ? 0 : 1;
-    Point p;
-    Point foot;
-    Point gradient;
-    filter->GetOutput()->GetPoint(i, p.data());
-    Array(filter, "ClosestSourcePoint")->GetTuple(i, foot.data());
-    Array(filter, "DistanceGradient")->GetTuple(i, gradient.data());
+    const Point p = PointAt(filter->GetOutput(), i);
+    const Point foot = TupleAt(Array(filter, "ClosestSourcePoint"), i);
+    const Point gradient = TupleAt(Array(filter, "DistanceGradient"), i);
     check.Equal(Array(filter, "SourceId")->GetTuple1(i), isReached ? 0 : -1, "SourceId");
     check.That(isReached || foot == p, "an unreached point is its own closest one");
     check.That(isReached || Length(gradient) == 0.0, "no gradient where not reached");
@@ -368,9 +331,7 @@ void CheckLimit(Check& check)
 void CheckApproximate(Check& check)
 {
   const std::vector<Line> lines = { { { 0.5, 0.8, 0 } }, { { 0.21, 0.13, 0 }, { 0.83, 0.27, 0 } } };
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(16));
-  filter->SetSourceData(SourceOf(lines));
+  const auto filter = RefinedField(Square(16), SourceOf(lines));
   filter->SetAccuracyToApproximate();
   filter->SetRelativeError(0.05);
   filter->SetMaximumDistance(0.4);
@@ -387,10 +348,8 @@ void CheckApproximate(Check& check)
     {
       continue;
     }
-    Point p;
-    Point foot;
-    filter->GetOutput()->GetPoint(i, p.data());
-    Array(filter, "ClosestSourcePoint")->GetTuple(i, foot.data());
+    const Point p = PointAt(filter->GetOutput(), i);
+    const Point foot = TupleAt(Array(filter, "ClosestSourcePoint"), i);
     const Point away = Minus(p, foot);
     const auto isWithin = [d](double distance)
     { return distance >= d - 1e-12 && distance <= d / 0.95 + 1e-12; };
@@ -404,7 +363,7 @@ void CheckApproximate(Check& check)
       texture->GetComponent(i, 0), texture->GetComponent(i, 1) };
     if (line.size() == 1)
     {
-      check.That(std::abs(std::hypot(at.U, at.V) - d) <= 1e-12, "around the point");
+      check.Near(std::hypot(at.U, at.V), d, 1e-12, "around the point");
       continue;
     }
     // The end of the straight path to a place on the way from the foot.
@@ -430,15 +389,12 @@ void CheckSphere(Check& check)
   }
   for (const bool reverse : { false, true })
   {
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(sphere);
-    filter->SetSourceData(SourceOf({ reverse ? Reversed(equator) : equator }));
+    const auto filter = RefinedField(sphere, SourceOf({ reverse ? Reversed(equator) : equator }));
     filter->GenerateSignedDistanceOn();
     filter->Update();
     for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
     {
-      Point p;
-      filter->GetOutput()->GetPoint(i, p.data());
+      const Point p = PointAt(filter->GetOutput(), i);
       const double side = Array(filter, "SignedGeodesicDistance")->GetTuple1(i);
       const double north = reverse ? -side : side;
       check.That(std::abs(p[2]) < 1e-6 || (north > 0.0) == (p[2] > 0.0),
@@ -450,55 +406,34 @@ void CheckSphere(Check& check)
 void CheckOrientation(Check& check)
 {
   auto flipped = Square(2);
-  vtkNew<vtkCellArray> polys;
-  for (vtkIdType f = 0; f < flipped->GetNumberOfPolys(); ++f)
-  {
-    vtkNew<vtkIdList> ids;
-    flipped->GetPolys()->GetCellAtId(f, ids);
-    if (f == 5)
-    {
-      const vtkIdType first = ids->GetId(0);
-      ids->SetId(0, ids->GetId(1));
-      ids->SetId(1, first);
-    }
-    polys->InsertNextCell(ids);
-  }
-  flipped->SetPolys(polys);
+  auto triangles = CellsOf(flipped->GetPolys());
+  std::swap(triangles[5][0], triangles[5][1]);
+  flipped->SetPolys(CellArrayOf(triangles));
   auto fin = Square(2);
   fin->GetPoints()->InsertNextPoint(0.5, 0.5, 1.0);
   fin->GetPolys()->InsertNextCell({ 4, 1, 9 });
   for (vtkPolyData* surface : { flipped.Get(), fin.Get() })
   {
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(surface);
-    filter->SetSourceData(SourceOf({ { { 0.1, 0.1, 0 }, { 0.9, 0.3, 0 } } }));
+    const auto filter = RefinedField(surface, SourceOf({ { { 0.1, 0.1, 0 }, { 0.9, 0.3, 0 } } }));
     filter->GenerateSignedDistanceOn();
     Messages messages(filter);
-    messages.Update();
-    check.That(
-      Contains(messages.Error(), "GenerateSignedDistance") && Contains(messages.Error(), "cell "),
-      "an error names a cell: " + messages.Error());
+    messages.ExpectError(check, { "GenerateSignedDistance", "cell " }, "an error names a cell");
     check.That(filter->GetOutput()->GetNumberOfPoints() == 0, "the output is empty");
     filter->GenerateSignedDistanceOff();
     filter->GenerateTextureCoordinatesOn();
-    messages.Update();
-    check.That(Contains(messages.Error(), "GenerateTextureCoordinates") &&
-        Contains(messages.Error(), "cell "),
-      "texture coordinates need sides, too: " + messages.Error());
+    messages.ExpectError(
+      check, { "GenerateTextureCoordinates", "cell " }, "texture coordinates need sides, too");
     filter->GenerateTextureCoordinatesOff();
     filter->GenerateSourceIdsOn();
     filter->GenerateSourceArcLengthOn();
     filter->GenerateSourceAngleOn();
-    messages.Update();
-    check.That(messages.Error().empty(), "without the sign it works: " + messages.Error());
+    messages.ExpectNoError(check, "without the sign it works");
   }
 }
 
 void CheckNames(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(2));
-  filter->SetSourceData(SourceOf({ { { 0.1, 0.1, 0 } } }));
+  const auto filter = RefinedField(Square(2), SourceOf({ { { 0.1, 0.1, 0 } } }));
   filter->GenerateSourceIdsOn();
   filter->SetDistanceArrayName("SourceId");
   Messages messages(filter);

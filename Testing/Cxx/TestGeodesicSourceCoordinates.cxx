@@ -49,15 +49,9 @@ void AskForCoordinates(vtkGeodesicDistanceField* filter)
 /// Two blocks side by side and a line across their seam, which is arc length along x.
 void CheckBlocks(Check& check, bool refine)
 {
-  auto right = Square(8);
-  MovePoints(right, [](const Point& p) { return Point{ p[0] + 1.0, p[1], p[2] }; });
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Square(8));
-  blocks->SetBlock(1, nullptr);
-  blocks->SetBlock(2, right);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputDataObject(blocks);
-  filter->SetSourceData(Polyline({ { 0.3, 0.4, 0 }, { 1.6, 0.4, 0 } }));
+  const auto right = Moved(Square(8), MovedBy(1.0));
+  const auto blocks = Blocks({ Square(8), nullptr, right });
+  const auto filter = RefinedField(blocks, Polyline({ { 0.3, 0.4, 0 }, { 1.6, 0.4, 0 } }));
   filter->SetRefineMesh(refine);
   AskForCoordinates(filter);
   filter->Update();
@@ -72,8 +66,7 @@ void CheckBlocks(Check& check, bool refine)
       "blocks: arrays and frames of each");
     for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
     {
-      Point p;
-      block->GetPoint(i, p.data());
+      const Point p = PointAt(block, i);
       const double foot = std::clamp(p[0], 0.3, 1.6);
       const double up = p[1] - 0.4;
       const double angle = std::atan2(up, p[0] - foot);
@@ -93,9 +86,7 @@ void CheckScale(Check& check)
 {
   const auto run = [](double scale)
   {
-    const auto scaled = [scale](const Point& p) {
-      return Point{ p[0] * scale, p[1] * scale, p[2] * scale };
-    };
+    const auto scaled = ScaledBy(scale);
     auto surface = NoisySquare(10);
     MovePoints(surface, scaled);
     auto source = Polyline({ { 0.2, 0.3, 0 }, { 0.8, 0.5, 0 }, { 0.4, 0.8, 0 } });
@@ -115,11 +106,7 @@ void CheckScale(Check& check)
     for (const int port : { 0, 1 })
     {
       const auto arrayOf = [port](vtkGeodesicDistanceField* filter, const char* name)
-      {
-        return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port))
-          ->GetPointData()
-          ->GetArray(name);
-      };
+      { return OutputOf(filter, port)->GetPointData()->GetArray(name); };
       vtkDataArray* lengths = arrayOf(other, "SourceArcLength");
       for (vtkIdType i = 0; i < lengths->GetNumberOfTuples(); ++i)
       {
@@ -133,14 +120,6 @@ void CheckScale(Check& check)
       }
     }
   }
-}
-
-vtkSmartPointer<vtkPolyData> Bumpy()
-{
-  return ChangedSphere(48, 33,
-    [](const Point& p) {
-      return Point{ p[0] + 0.05 * std::sin(20.0 * p[1]), 0.6 * p[1], 1.7 * p[2] };
-    });
 }
 
 /// A bent line, a closed one and two points.
@@ -169,10 +148,8 @@ bool HasPlace(vtkPolyData* curves, vtkIdType line, const Point& place, double le
   curves->GetLines()->GetCellAtId(line, ids);
   for (vtkIdType k = 0; k + 1 < ids->GetNumberOfIds(); ++k)
   {
-    Point a;
-    Point b;
-    curves->GetPoint(ids->GetId(k), a.data());
-    curves->GetPoint(ids->GetId(k + 1), b.data());
+    const Point a = PointAt(curves, ids->GetId(k));
+    const Point b = PointAt(curves, ids->GetId(k + 1));
     const double begin = lengths->GetTuple1(ids->GetId(k));
     const double whole = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
     const double t = std::clamp((length - begin) / whole, 0.0, 1.0);
@@ -190,16 +167,14 @@ bool HasPlace(vtkPolyData* curves, vtkIdType line, const Point& place, double le
 /// Arc lengths fit to the closest points and to output port 1.
 void CheckAgainstSourceOnSurface(Check& check, bool refine)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Bumpy());
-  filter->SetSourceData(SourcesOnBumpy());
+  const auto filter = RefinedField(WavySphere(48, 33, 0.05), SourcesOnBumpy());
   filter->SetRefineMesh(refine);
   filter->SetRefinementTolerance(5e-3);
   filter->GenerateSourceIdsOn();
   filter->GenerateClosestPointsOn();
   filter->GenerateSourceArcLengthOn();
   filter->Update();
-  auto* curves = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+  auto* curves = OutputOf(filter, 1);
   vtkDataArray* onCurves = curves->GetPointData()->GetArray("SourceArcLength");
   check.That(onCurves && onCurves->GetNumberOfTuples() == curves->GetNumberOfPoints(),
     "an arc length at each point of port 1");
@@ -213,8 +188,7 @@ void CheckAgainstSourceOnSurface(Check& check, bool refine)
   {
     const auto source = static_cast<vtkIdType>(arrays->GetArray("SourceId")->GetTuple1(i));
     const double length = arrays->GetArray("SourceArcLength")->GetTuple1(i);
-    Point closest;
-    arrays->GetArray("ClosestSourcePoint")->GetTuple(i, closest.data());
+    const Point closest = TupleAt(arrays->GetArray("ClosestSourcePoint"), i);
     check.That(source < 2 ? length == 0.0 : HasPlace(curves, source - 2, closest, length),
       "SourceArcLength " + std::to_string(length) + " of source " + std::to_string(source));
     ++seen[source];
@@ -228,17 +202,12 @@ void CheckAgainstSourceOnSurface(Check& check, bool refine)
 /// At the ends of paths, which are measured there: the same as in the field, up to ties.
 void CheckAgainstPaths(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> field;
-  field->SetInputData(Bumpy());
-  field->SetSourceData(SourcesOnBumpy());
-  field->RefineMeshOff();
+  const auto field = PlainField(WavySphere(48, 33, 0.05), SourcesOnBumpy());
   field->GenerateSourceIdsOn();
   AskForCoordinates(field);
   field->Update();
-  vtkNew<vtkGeodesicPaths> paths;
-  paths->SetInputData(Bumpy());
-  paths->SetSourceData(SourcesOnBumpy());
-  paths->SetTargetsData(Bumpy());
+  const auto paths = FilterOn<vtkGeodesicPaths>(WavySphere(48, 33, 0.05), SourcesOnBumpy());
+  paths->SetTargetsData(WavySphere(48, 33, 0.05));
   paths->Update();
   check.Equal(paths->GetOutput()->GetCellData()->GetNumberOfArrays(), 4,
     "paths: no array that was not asked for");
@@ -257,8 +226,7 @@ void CheckAgainstPaths(Check& check)
   }
   const AskedArrays arrays(field->GetOutput());
   const vtkIdType count = paths->GetOutput()->GetNumberOfLines();
-  check.Equal(static_cast<double>(count),
-    static_cast<double>(field->GetOutput()->GetNumberOfPoints()), "a path from each vertex");
+  check.Equal(count, field->GetOutput()->GetNumberOfPoints(), "a path from each vertex");
   vtkDataArray* ids = field->GetOutput()->GetPointData()->GetArray("SourceId");
   int apart = 0;
   for (vtkIdType i = 0; i < count; ++i)
@@ -275,12 +243,10 @@ void CheckAgainstPaths(Check& check)
 
 void CheckPieces(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(8));
-  filter->SetSourceData(PointSources({ { 0.3, 0.4, 0 } }));
+  const auto filter = RefinedField(Square(8), PointSources({ { 0.3, 0.4, 0 } }));
   AskForCoordinates(filter);
   filter->UpdatePiece(1, 2, 0);
-  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfPoints()), 0.0, "piece 1");
+  check.Equal(filter->GetOutput()->GetNumberOfPoints(), 0.0, "piece 1");
   filter->UpdatePiece(0, 2, 0);
   const AskedArrays arrays(filter->GetOutput());
   check.That(arrays.Texture &&
@@ -303,14 +269,11 @@ void CheckTextureScale(Check& check)
     auto surface = Square(4);
     for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
     {
-      Point p;
-      surface->GetPoint(i, p.data());
+      const Point p = PointAt(surface, i);
       surface->GetPoints()->SetPoint(i, side * p[0], side * p[1], side * p[2]);
     }
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(surface);
-    filter->SetSourceData(Polyline({ { 0, 0.5 * side, 0 }, { side, 0.5 * side, 0 } }));
-    filter->RefineMeshOff();
+    const auto filter =
+      PlainField(surface, Polyline({ { 0, 0.5 * side, 0 }, { side, 0.5 * side, 0 } }));
     filter->SetMaximumDistance(0.3 * side);
     filter->SetUnreachedValueToCustom();
     filter->SetCustomUnreachedValue(-7.0);
@@ -320,8 +283,7 @@ void CheckTextureScale(Check& check)
     vtkPolyData* output = filter->GetOutput();
     for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
     {
-      Point p;
-      output->GetPoint(i, p.data());
+      const Point p = PointAt(output, i);
       const double across = p[1] - 0.5 * side;
       const bool isReached = Distances(filter)->GetTuple1(i) != -7.0;
       check.That(isReached || std::abs(across) > 0.3 * side, "reached within the limit");
@@ -341,15 +303,12 @@ void CheckSinglePicture(Check& check)
   for (const bool isCurve : { false, true })
   {
     const std::vector<Point> curve = { { 0, 0.5, 0 }, { 1, 0.5, 0 } };
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->SetInputData(Square(4));
-    filter->SetSourceData(isCurve ? Polyline(curve) : PointSources({ { 0.5, 0.5, 0 } }));
-    filter->RefineMeshOff();
+    const auto filter =
+      PlainField(Square(4), isCurve ? Polyline(curve) : PointSources({ { 0.5, 0.5, 0 } }));
     filter->GenerateTextureCoordinatesOn();
     filter->SetTextureScale(0.5);
     filter->Update();
-    vtkNew<vtkPolyData> tiles;
-    tiles->DeepCopy(filter->GetOutput());
+    const auto tiles = CopyOf(filter->GetOutput());
     filter->TextureRepeatsOff();
     filter->Update();
     const double along = isCurve ? 0.0 : 0.5;

@@ -63,20 +63,15 @@ void CheckLandmarks(Check& check)
   const std::vector<Point> points = { { 0.1, 0.2, 0 }, { 0.9, 0.1, 0 }, { 0.2, 0.9, 0 },
     { 0.8, 0.75, 0 }, { 0.45, 0.5, 0 } };
   const std::vector<long long> labels = { 7, 614454277, 7, 9007199254740990, 0 };
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(16));
-  filter->SetSourceData(Landmarks(points, labels));
+  const auto filter = RefinedField(Square(16), Landmarks(points, labels));
   filter->SetSourceIdArrayName(Name);
   filter->GenerateSourceIdsOn();
   filter->GenerateSourceAngleOn();
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), "landmarks: " + messages.Error());
+  RunWithoutError(check, filter, "landmarks");
   vtkDataArray* ids = filter->GetOutput()->GetPointData()->GetArray("SourceId");
   for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
   {
-    Point p;
-    filter->GetOutput()->GetPoint(i, p.data());
+    const Point p = PointAt(filter->GetOutput(), i);
     double least = 2.0;
     double ofLabel = 2.0;
     for (std::size_t k = 0; k < points.size(); ++k)
@@ -89,18 +84,13 @@ void CheckLandmarks(Check& check)
     check.That(ofLabel <= least + 1e-12, "the label is that of a nearest landmark");
   }
   vtkFieldData* data = filter->GetOutput()->GetFieldData();
-  vtkDataArray* frameIds = data->GetArray("SourceFrameId");
-  check.That(frameIds && frameIds->GetNumberOfTuples() == 4 &&
-      data->GetArray("SourceFrame")->GetNumberOfTuples() == 4 && frameIds->GetTuple1(0) == 0.0 &&
-      frameIds->GetTuple1(1) == 7.0 && frameIds->GetTuple1(2) == 614454277.0 &&
-      frameIds->GetTuple1(3) == 9007199254740990.0,
+  check.That(NumbersOf(data->GetArray("SourceFrameId")) ==
+        std::vector<double>{ 0.0, 7.0, 614454277.0, 9007199254740990.0 } &&
+      data->GetArray("SourceFrame")->GetNumberOfTuples() == 4,
     "each label has one frame");
-  vtkDataArray* onSurface = OutputOf(filter, 1)->GetCellData()->GetArray("SourceId");
-  for (vtkIdType i = 0; i < 5; ++i)
-  {
-    check.Equal(onSurface->GetTuple1(i), static_cast<double>(labels[static_cast<std::size_t>(i)]),
-      "the label of a point on the surface");
-  }
+  check.That(NumbersOf(OutputOf(filter, 1)->GetCellData()->GetArray("SourceId")) ==
+      std::vector<double>(labels.begin(), labels.end()),
+    "the labels of points on the surface");
 }
 
 /// Two curves of many cells that cross and share cells' ends; a line of one value ends where
@@ -126,33 +116,24 @@ void CheckCurves(Check& check)
   lines.push_back({ first[4], { 0.95, 0.9, 0 } });
   labels.push_back(50);
   const auto source = LabelledLines(lines, labels);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(Square(16));
-  filter->SetSourceData(source);
+  const auto filter = PlainField(Square(16), source);
   filter->SetSourceIdArrayName(Name);
   filter->GenerateSourceIdsOn();
   filter->GenerateSourceArcLengthOn();
   filter->SetSourceTypeToCurveAndBoundary();
   filter->Update();
   vtkPolyData* curves = OutputOf(filter, 1);
-  vtkDataArray* ids = curves->GetCellData()->GetArray("SourceId");
-  check.Equal(static_cast<double>(curves->GetNumberOfLines()), 4.0, "curves of three labels");
-  const std::array<double, 4> expected = { 40.0, 30.0, 50.0, 51.0 }; // by their lowest cells
-  for (vtkIdType i = 0; i < std::min<vtkIdType>(4, ids->GetNumberOfTuples()); ++i)
-  {
-    check.Equal(ids->GetTuple1(i), expected[static_cast<std::size_t>(i)], "their labels");
-  }
-  check.That(std::abs(curves->GetPointData()->GetArray("SourceArcLength")->GetTuple1(0)) == 0.0,
-    "arc lengths begin at 0");
+  check.Equal(curves->GetNumberOfLines(), 4.0, "curves of three labels");
+  check.That(NumbersOf(curves->GetCellData()->GetArray("SourceId")) ==
+      std::vector<double>{ 40.0, 30.0, 50.0, 51.0 },
+    "their labels, by their lowest cells");
+  check.That(std::abs(PointValue(curves, "SourceArcLength", 0)) == 0.0, "arc lengths begin at 0");
 
-  vtkNew<vtkGeodesicDistanceMatrix> matrix;
-  matrix->SetInputData(Square(16));
+  const auto matrix = FilterOn<vtkGeodesicDistanceMatrix>(Square(16), source);
   matrix->SetTargetsData(Square(4));
-  matrix->SetSourceData(source);
   matrix->SetSourceIdArrayName(Name);
   matrix->Update();
-  check.Equal(static_cast<double>(matrix->GetOutput()->GetNumberOfColumns()), 4.0, "columns");
+  check.Equal(matrix->GetOutput()->GetNumberOfColumns(), 4.0, "columns");
   const auto targets = Square(4);
   const std::vector<std::pair<const char*, std::vector<Point>>> truths = { { "Source30", second },
     { "Source40", first }, { "Source50", { first[4], { 0.95, 0.9, 0 } } } };
@@ -162,25 +143,21 @@ void CheckCurves(Check& check)
     check.That(values, std::string("a column ") + column);
     for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)
     {
-      Point p;
-      targets->GetPoint(i, p.data());
-      check.That(std::abs(values->GetTuple1(i) - LengthTo(p, line)) < 1e-12,
+      const Point p = PointAt(targets, i);
+      check.Near(values->GetTuple1(i), LengthTo(p, line), 1e-12,
         std::string(column) + " is the distance from all lines of that label");
     }
   }
 
-  vtkNew<vtkGeodesicPaths> paths;
-  paths->SetInputData(Square(16));
+  const auto paths = FilterOn<vtkGeodesicPaths>(Square(16), source);
   paths->SetTargetsData(targets);
-  paths->SetSourceData(source);
   paths->SetSourceIdArrayName(Name);
   paths->Update();
   vtkCellData* ofPaths = paths->GetOutput()->GetCellData();
   for (vtkIdType i = 0; i < paths->GetOutput()->GetNumberOfLines(); ++i)
   {
-    Point p;
-    targets->GetPoint(
-      static_cast<vtkIdType>(ofPaths->GetArray("TargetId")->GetTuple1(i)), p.data());
+    const Point p =
+      PointAt(targets, static_cast<vtkIdType>(ofPaths->GetArray("TargetId")->GetTuple1(i)));
     double ofLabel = 2.0;
     for (const auto& [column, line] : truths)
     {
@@ -190,7 +167,7 @@ void CheckCurves(Check& check)
         ? LengthTo(p, line)
         : ofLabel;
     }
-    check.That(std::abs(ofPaths->GetArray("GeodesicDistance")->GetTuple1(i) - ofLabel) < 1e-12,
+    check.Near(ofPaths->GetArray("GeodesicDistance")->GetTuple1(i), ofLabel, 1e-12,
       "a path ends on the curve with its label");
   }
 }
@@ -207,13 +184,6 @@ void CheckRegions(Check& check)
       const std::string what = std::string(kind.name) + ", seed " + std::to_string(seed);
       Random random(seed);
       const geodesictest::PlainMesh mesh = kind.make(random.between(30, 120), random);
-      auto surface = PointSources(mesh.points);
-      vtkNew<vtkCellArray> polys;
-      for (const geodesictest::Triangle& t : mesh.triangles)
-      {
-        polys->InsertNextCell({ t[0], t[1], t[2] });
-      }
-      surface->SetPolys(polys);
       std::vector<Point> points;
       std::vector<long long> labels;
       for (int i = 0; i < 12; ++i)
@@ -221,27 +191,18 @@ void CheckRegions(Check& check)
         points.push_back(geodesictest::position(mesh, geodesictest::randomPoint(mesh, random)));
         labels.push_back(random.chance(0.3) ? 5 : random.between(0, 3));
       }
-      vtkNew<vtkMultiBlockDataSet> blocks;
       const auto half = static_cast<std::ptrdiff_t>(random.between(1, 11));
-      blocks->SetBlock(0,
+      const auto blocks = Blocks({ Landmarks({ points.begin(), points.begin() + half },
+                                     { labels.begin(), labels.begin() + half }),
+        vtkNew<vtkPolyData>(),
         Landmarks(
-          { points.begin(), points.begin() + half }, { labels.begin(), labels.begin() + half }));
-      blocks->SetBlock(1, vtkNew<vtkPolyData>());
-      blocks->SetBlock(2,
-        Landmarks(
-          { points.begin() + half, points.end() }, { labels.begin() + half, labels.end() }));
-      vtkNew<vtkGeodesicDistanceMatrix> named;
-      vtkNew<vtkGeodesicDistanceMatrix> single;
-      for (vtkGeodesicDistanceMatrix* filter : { named.Get(), single.Get() })
-      {
-        filter->SetInputData(surface);
-        filter->SetSourceData(blocks);
-      }
+          { points.begin() + half, points.end() }, { labels.begin() + half, labels.end() }) });
+      const auto surface = Mesh(mesh.points, mesh.triangles);
+      const auto named = FilterOn<vtkGeodesicDistanceMatrix>(surface, blocks);
+      const auto single = FilterOn<vtkGeodesicDistanceMatrix>(surface, blocks);
       named->SetSourceIdArrayName(Name);
-      Messages messages(named);
-      messages.Update();
+      RunWithoutError(check, named, what);
       single->Update();
-      check.That(messages.Error().empty(), what + ": " + messages.Error());
       for (const long long label : std::set<long long>(labels.begin(), labels.end()))
       {
         const std::string column = "Source" + std::to_string(label);
@@ -280,42 +241,25 @@ void CheckGrid(Check& check)
   grid->InsertNextCell(VTK_VERTEX, 1, ids.data() + 3);
   grid->InsertNextCell(VTK_VERTEX, 1, ids.data() + 2);
   grid->GetCellData()->AddArray(Labels({ -1, 12, 10, 12 }));
-  vtkNew<vtkGeodesicDistanceMatrix> matrix;
-  matrix->SetInputData(Square(8));
-  matrix->SetSourceData(grid);
+  const auto matrix = FilterOn<vtkGeodesicDistanceMatrix>(Square(8), grid);
   matrix->SetSourceIdArrayName(Name);
-  Messages messages(matrix);
-  messages.Update();
-  check.That(messages.Error().empty(), "a grid: " + messages.Error());
-  const std::array<std::string, 3> names = { "TargetId", "Source10", "Source12" };
+  RunWithoutError(check, matrix, "a grid");
   vtkTable* table = matrix->GetOutput();
-  check.Equal(static_cast<double>(table->GetNumberOfColumns()), 3.0, "a grid: columns");
-  for (vtkIdType i = 0; i < std::min<vtkIdType>(3, table->GetNumberOfColumns()); ++i)
-  {
-    check.That(table->GetColumnName(i) == names[static_cast<std::size_t>(i)], "a grid's column");
-  }
+  check.That(ColumnsOf(table) == std::vector<std::string>{ "TargetId", "Source10", "Source12" },
+    "a grid's columns");
   check.Equal(table->GetValue(2, 2).ToDouble(), 0.0, "a vertex and a line of one label");
 }
 
 //------------------------------------------------------------------------------
 void CheckError(Check& check, vtkDataObject* source, const std::vector<std::string>& words)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(Square(4));
-  filter->SetSourceData(source);
+  const auto filter = PlainField(Square(4), source);
   filter->SetSourceIdArrayName(Name);
   Messages messages(filter);
-  messages.Update();
-  for (const std::string& word : words)
-  {
-    check.That(
-      Contains(messages.Error(), word), "an error that says \"" + word + "\": " + messages.Error());
-  }
+  messages.ExpectError(check, words, "a bad array of ids");
   CheckOutputsEmpty(check, filter, "a bad array of ids");
   filter->SetSourceIdArrayName("None");
-  messages.Update();
-  check.That(messages.Error().empty(), "without the array: " + messages.Error());
+  messages.ExpectNoError(check, "without the array");
 }
 
 void CheckErrors(Check& check)
@@ -326,9 +270,7 @@ void CheckErrors(Check& check)
   auto line = Polyline(points);
   line->GetPointData()->AddArray(Labels({ 1, 2 }));
   CheckError(check, line, { "has no cell array named label", "but a point array named label" });
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Landmarks(points, { 1, 2 }));
-  blocks->SetBlock(1, Polyline(points));
+  const auto blocks = Blocks({ Landmarks(points, { 1, 2 }), Polyline(points) });
   CheckError(
     check, blocks, { "Block 2 of the source (input port 1) has no cell array named label" });
   CheckError(check, Landmarks(points, { 4, -3 }),
@@ -337,19 +279,10 @@ void CheckErrors(Check& check)
     { "Cell 0 of the source (input port 1) has a value that is too large" });
   CheckError(check, Landmarks(points, { 4 }), { "has 1 values for 2 points" });
   auto pairs = PointSources(points);
-  vtkNew<vtkIntArray> two;
-  two->SetName(Name);
-  two->SetNumberOfComponents(2);
-  two->SetNumberOfTuples(2);
-  two->Fill(1);
-  pairs->GetPointData()->AddArray(two);
+  AddArray<vtkIntArray>(pairs->GetPointData(), Name, { 1, 1, 1, 1 })->SetNumberOfComponents(2);
   CheckError(check, pairs, { "has 2 components" });
   auto real = PointSources(points);
-  vtkNew<vtkDoubleArray> numbers;
-  numbers->SetName(Name);
-  numbers->SetNumberOfTuples(2);
-  numbers->Fill(1.5);
-  real->GetPointData()->AddArray(numbers);
+  auto* numbers = AddArray<vtkDoubleArray>(real->GetPointData(), Name, { 1.5, 1.5 });
   CheckError(check, real,
     { "is a vtkDoubleArray with a value that is no whole number, where whole numbers are needed" });
   numbers->Fill(std::numeric_limits<double>::quiet_NaN());
@@ -368,18 +301,10 @@ void CheckErrors(Check& check)
 void CheckWholeNumbers(Check& check)
 {
   auto source = PointSources({ { 0.1, 0.2, 0 }, { 0.9, 0.1, 0 } });
-  vtkNew<vtkDoubleArray> ids;
-  ids->SetName(Name);
-  ids->InsertNextValue(7.0);
-  ids->InsertNextValue(4.0);
-  source->GetPointData()->AddArray(ids);
-  vtkNew<vtkGeodesicDistanceMatrix> matrix;
-  matrix->SetInputData(Square(4));
-  matrix->SetSourceData(source);
+  AddArray<vtkDoubleArray>(source->GetPointData(), Name, { 7.0, 4.0 });
+  const auto matrix = FilterOn<vtkGeodesicDistanceMatrix>(Square(4), source);
   matrix->SetSourceIdArrayName(Name);
-  Messages messages(matrix);
-  messages.Update();
-  check.That(messages.Error().empty(), "whole numbers: " + messages.Error());
+  RunWithoutError(check, matrix, "whole numbers");
   vtkTable* table = matrix->GetOutput();
   for (const int id : { 4, 7 })
   {
@@ -392,18 +317,12 @@ void CheckWholeNumbers(Check& check)
 /// If the boundary is the source, the array does not matter.
 void CheckBoundary(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(Square(4));
-  filter->SetSourceData(PointSources({ { 0.1, 0.2, 0 } }));
+  const auto filter = PlainField(Square(4), PointSources({ { 0.1, 0.2, 0 } }));
   filter->SetSourceIdArrayName(Name);
   filter->SetSourceTypeToSurfaceBoundary();
   filter->GenerateSourceIdsOn();
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), "the boundary: " + messages.Error());
-  check.Equal(filter->GetOutput()->GetPointData()->GetArray("SourceId")->GetTuple1(0), 0.0,
-    "the boundary's id");
+  RunWithoutError(check, filter, "the boundary");
+  check.Equal(PointValue(filter->GetOutput(), "SourceId", 0), 0.0, "the boundary's id");
 }
 
 }

@@ -22,7 +22,7 @@ namespace
 
 vtkPolyData* Curves(vtkGeodesicDistanceField* filter)
 {
-  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+  return OutputOf(filter, 1);
 }
 
 void CheckSource(Check& check, const std::string& name, vtkPolyData* source, const Distance& truth,
@@ -30,26 +30,30 @@ void CheckSource(Check& check, const std::string& name, vtkPolyData* source, con
 {
   for (const Cells cells : { Cells::Triangles, Cells::Quads })
   {
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->RefineMeshOff();
-    filter->SetInputData(Square(8, cells));
-    filter->SetSourceData(source);
-    Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty(), name + ": " + messages.Error());
+    const auto filter = PlainField(Square(8, cells), source);
+    RunWithoutError(check, filter, name);
     CheckDistances(check, filter, truth, name);
-    check.Equal(static_cast<double>(Curves(filter)->GetNumberOfLines()), static_cast<double>(lines),
-      name + ": lines on the surface");
-    check.Equal(static_cast<double>(Curves(filter)->GetNumberOfVerts()),
-      static_cast<double>(vertices), name + ": vertices on the surface");
+    check.Equal(Curves(filter)->GetNumberOfLines(), lines, name + ": lines on the surface");
+    check.Equal(Curves(filter)->GetNumberOfVerts(), vertices, name + ": vertices on the surface");
   }
 }
 
-template <typename Inserter>
-vtkSmartPointer<vtkPolyData> WithCells(vtkSmartPointer<vtkPolyData> data, Inserter&& insert)
+enum class Kind
 {
-  vtkNew<vtkCellArray> cells;
-  insert(data, cells);
+  Verts,
+  Lines,
+  Polys,
+  Strips
+};
+
+vtkSmartPointer<vtkPolyData> WithCells(
+  vtkSmartPointer<vtkPolyData> data, Kind kind, const std::vector<std::vector<vtkIdType>>& ids)
+{
+  const auto cells = CellArray(ids);
+  kind == Kind::Verts     ? data->SetVerts(cells)
+    : kind == Kind::Lines ? data->SetLines(cells)
+    : kind == Kind::Polys ? data->SetPolys(cells)
+                          : data->SetStrips(cells);
   return data;
 }
 
@@ -77,50 +81,19 @@ void CheckKinds(Check& check)
     0, 4);
   CheckSource(check, "an open polyline", Polyline(p), DistanceTo(p), 1, 0);
   CheckSource(check, "a closed polyline", Polyline(p, true), DistanceTo(outline), 1, 0);
+  const auto withCells = [&](Kind kind, const std::vector<std::vector<vtkIdType>>& ids)
+  { return WithCells(PointSources(p), kind, ids); };
   CheckSource(check, "vertex cells leave other points out",
-    WithCells(PointSources(p),
-      [](vtkPolyData* data, vtkCellArray* cells)
-      {
-        cells->InsertNextCell({ 1 });
-        cells->InsertNextCell({ 3, 0 });
-        data->SetVerts(cells);
-      }),
+    withCells(Kind::Verts, { { 1 }, { 3, 0 } }),
     least({ DistanceTo({ p[0] }), DistanceTo({ p[1] }), DistanceTo({ p[3] }) }), 0, 3);
   CheckSource(check, "two lines that are one curve, and a vertex",
-    WithCells(PointSources(p),
-      [](vtkPolyData* data, vtkCellArray* cells)
-      {
-        cells->InsertNextCell({ 0, 1 });
-        cells->InsertNextCell({ 2, 1 });
-        data->SetLines(cells);
-        vtkNew<vtkCellArray> vertices;
-        vertices->InsertNextCell({ 3 });
-        data->SetVerts(vertices);
-      }),
+    WithCells(withCells(Kind::Lines, { { 0, 1 }, { 2, 1 } }), Kind::Verts, { { 3 } }),
     least({ DistanceTo({ p[0], p[1], p[2] }), DistanceTo({ p[3] }) }), 1, 1);
   CheckSource(check, "a polygon inside faces stands for its outline",
-    WithCells(PointSources(p),
-      [](vtkPolyData* data, vtkCellArray* cells)
-      {
-        cells->InsertNextCell({ 0, 1, 2, 3 });
-        data->SetPolys(cells);
-      }),
-    DistanceTo(outline), 1, 0);
+    withCells(Kind::Polys, { { 0, 1, 2, 3 } }), DistanceTo(outline), 1, 0);
   CheckSource(check, "a strip inside faces stands for its outline",
-    WithCells(PointSources(p),
-      [](vtkPolyData* data, vtkCellArray* cells)
-      {
-        cells->InsertNextCell({ 0, 1, 3, 2 });
-        data->SetStrips(cells);
-      }),
-    DistanceTo(outline), 1, 0);
-  CheckSource(check, "a line of one point is a point",
-    WithCells(PointSources(p),
-      [](vtkPolyData* data, vtkCellArray* cells)
-      {
-        cells->InsertNextCell({ 2 });
-        data->SetLines(cells);
-      }),
+    withCells(Kind::Strips, { { 0, 1, 3, 2 } }), DistanceTo(outline), 1, 0);
+  CheckSource(check, "a line of one point is a point", withCells(Kind::Lines, { { 2 } }),
     DistanceTo({ p[2] }), 0, 1);
 }
 
@@ -128,39 +101,32 @@ void CheckCurveAndBoundary(Check& check)
 {
   const std::vector<Point> line = { { 0.3, 0.45, 0 }, { 0.6, 0.55, 0 } };
   const Distance toLine = DistanceTo(line);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(Square(16));
-  filter->SetSourceData(Polyline(line));
+  const auto filter = PlainField(Square(16), Polyline(line));
   Messages messages(filter);
   filter->SetSourceTypeToSurfaceBoundary();
   messages.Update();
   CheckDistances(
     check, filter, DistanceToBoundaryOfSquare, "the boundary, though a curve is there");
-  check.Equal(static_cast<double>(Curves(filter)->GetNumberOfPoints()), 64.0,
-    "points of the square's boundary");
+  check.Equal(Curves(filter)->GetNumberOfPoints(), 64.0, "points of the square's boundary");
   filter->SetSourceTypeToCurveAndBoundary();
   messages.Update();
   CheckDistances(
     check, filter,
     [&](const Point& p) { return std::min(toLine(p), DistanceToBoundaryOfSquare(p)); },
     "curve and boundary");
-  check.Equal(
-    static_cast<double>(Curves(filter)->GetNumberOfLines()), 2.0, "lines of curve and boundary");
+  check.Equal(Curves(filter)->GetNumberOfLines(), 2.0, "lines of curve and boundary");
 }
 
 /// Edges of the sphere that the plane z = height crosses.
 vtkIdType CrossedEdges(vtkPolyData* sphere, double height)
 {
   std::set<std::pair<vtkIdType, vtkIdType>> edges;
-  for (vtkIdType f = 0; f < sphere->GetNumberOfPolys(); ++f)
+  for (const std::vector<vtkIdType>& ids : CellsOf(sphere->GetPolys()))
   {
-    vtkNew<vtkIdList> ids;
-    sphere->GetPolys()->GetCellAtId(f, ids);
-    for (vtkIdType k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      const vtkIdType a = ids->GetId(k);
-      const vtkIdType b = ids->GetId((k + 1) % 3);
+      const vtkIdType a = ids[k];
+      const vtkIdType b = ids[(k + 1) % 3];
       if ((sphere->GetPoint(a)[2] < height) != (sphere->GetPoint(b)[2] < height))
       {
         edges.insert(std::minmax(a, b));
@@ -176,14 +142,10 @@ vtkIdType Places(vtkPolyData* data, double tolerance)
   vtkIdType places = 0;
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
-    Point p;
-    data->GetPoint(i, p.data());
     bool isNew = true;
     for (vtkIdType j = 0; j < i && isNew; ++j)
     {
-      Point q;
-      data->GetPoint(j, q.data());
-      isNew = DistanceToSegment(p, q, q) > tolerance;
+      isNew = LengthBetween(PointAt(data, i), PointAt(data, j)) > tolerance;
     }
     places += isNew ? 1 : 0;
   }
@@ -216,27 +178,23 @@ void CheckSliceOfSphere(Check& check, int precision, bool joined)
   filter->SetInputConnection(sphere->GetOutputPort());
   filter->SetSourceConnection(joined ? stripper->GetOutputPort() : slice->GetOutputPort());
   Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), name + ": " + messages.Error());
+  messages.ExpectNoError(check, name);
 
   const bool is32 = precision == vtkAlgorithm::SINGLE_PRECISION;
   const double rounding = is32 ? 1e-6 : 1e-14;
   check.That(filter->GetSourceSnapDistance() < rounding, name + " lies on the surface");
-  check.Equal(static_cast<double>(Places(Curves(filter), rounding)),
-    static_cast<double>(CrossedEdges(sphere->GetOutput(), height)), name + ": points on edges");
+  check.Equal(Places(Curves(filter), rounding), CrossedEdges(sphere->GetOutput(), height),
+    name + ": points on edges");
   vtkIdType segments = 0;
-  for (vtkIdType i = 0; i < Curves(filter)->GetNumberOfLines(); ++i)
+  for (const std::vector<vtkIdType>& ids : CellsOf(Curves(filter)->GetLines()))
   {
-    vtkNew<vtkIdList> ids;
-    Curves(filter)->GetLines()->GetCellAtId(i, ids);
-    segments += ids->GetNumberOfIds() - 1;
+    segments += static_cast<vtkIdType>(ids.size()) - 1;
   }
-  check.Equal(static_cast<double>(segments),
-    static_cast<double>(slice->GetOutput()->GetNumberOfLines()),
+  check.Equal(segments, slice->GetOutput()->GetNumberOfLines(),
     name + ": segments, one a face, without slivers");
   for (vtkIdType i = 0; i < Curves(filter)->GetNumberOfPoints(); ++i)
   {
-    check.That(std::abs(Curves(filter)->GetPoint(i)[2] - height) < rounding, name + ": its height");
+    check.Near(Curves(filter)->GetPoint(i)[2], height, rounding, name + ": its height");
   }
   // By symmetry the poles are as far as straight down their meridians' faces.
   const double north = Distances(filter)->GetTuple1(0);
@@ -245,9 +203,7 @@ void CheckSliceOfSphere(Check& check, int precision, bool joined)
 
   filter->RefineMeshOn();
   filter->SetMaximumNumberOfCells(20000);
-  messages.Update();
-  check.That(
-    messages.Warning().empty(), name + ": few triangles are enough: " + messages.Warning());
+  messages.ExpectNoWarning(check, name + ": few triangles are enough");
   check.That(filter->GetInterpolationErrorBound() <= 1e-3 * sphere->GetOutput()->GetLength(),
     name + ": the bound is below the tolerance");
 }
@@ -255,34 +211,23 @@ void CheckSliceOfSphere(Check& check, int precision, bool joined)
 /// The axis-aligned unit cube with n x n squares a side.
 vtkSmartPointer<vtkPolyData> Cube(int n)
 {
-  auto cube = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> polys;
+  auto cube = Mesh({}, {});
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     for (const double level : { 0.0, 1.0 })
     {
-      const auto side = Square(n);
-      const vtkIdType first = points->GetNumberOfPoints();
-      for (vtkIdType i = 0; i < side->GetNumberOfPoints(); ++i)
-      {
-        Point p;
-        p[axis] = level;
-        p[(axis + 1) % 3] = side->GetPoint(i)[0];
-        p[(axis + 2) % 3] = side->GetPoint(i)[1];
-        points->InsertNextPoint(p.data());
-      }
-      for (vtkIdType f = 0; f < side->GetNumberOfPolys(); ++f)
-      {
-        vtkNew<vtkIdList> ids;
-        side->GetPolys()->GetCellAtId(f, ids);
-        polys->InsertNextCell(
-          { first + ids->GetId(0), first + ids->GetId(1), first + ids->GetId(2) });
-      }
+      Append(cube,
+        Moved(Square(n),
+          [&](const Point& q)
+          {
+            Point p;
+            p[axis] = level;
+            p[(axis + 1) % 3] = q[0];
+            p[(axis + 2) % 3] = q[1];
+            return p;
+          }));
     }
   }
-  cube->SetPoints(points);
-  cube->SetPolys(polys);
   return cube;
 }
 
@@ -304,7 +249,7 @@ void CheckFeatureEdgesOfCube(Check& check)
   filter->SetSourceConnection(edges->GetOutputPort());
   Messages messages(filter);
   messages.Update();
-  check.Equal(static_cast<double>(edges->GetOutput()->GetNumberOfLines()), 96.0, "feature edges");
+  check.Equal(edges->GetOutput()->GetNumberOfLines(), 96.0, "feature edges");
   const auto toEdges = [](const Point& p)
   {
     double nearest[3];
@@ -323,14 +268,12 @@ void CheckFeatureEdgesOfCube(Check& check)
 void CheckSnapDistance(Check& check)
 {
   const std::vector<Point> below = { { 0.2, 0.3, 0 }, { 0.9, 0.4, 0 } };
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(Square(8));
-  filter->SetSourceData(Polyline({ { 0.2, 0.3, 0.004 }, { 0.9, 0.4, 0.0078125 } }));
+  const auto filter =
+    PlainField(Square(8), Polyline({ { 0.2, 0.3, 0.004 }, { 0.9, 0.4, 0.0078125 } }));
   Messages messages(filter);
   messages.Update();
   CheckDistances(check, filter, DistanceTo(below), "a curve above the surface");
-  check.That(std::abs(filter->GetSourceSnapDistance() - 0.0078125) < 1e-15, "its snap distance");
+  check.Near(filter->GetSourceSnapDistance(), 0.0078125, 1e-15, "its snap distance");
   check.That(messages.Warning().empty(), "a curve near the surface is not warned of");
 }
 
@@ -342,22 +285,10 @@ void CheckOrder(Check& check)
   const auto onSurface = [&](bool isStrip, const std::vector<vtkIdType>& ids)
   {
     auto source = PointSources(p);
-    vtkNew<vtkCellArray> cells;
-    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-    isStrip ? source->SetStrips(cells) : source->SetLines(cells);
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->RefineMeshOff();
-    filter->SetInputData(Square(1));
-    filter->SetSourceData(source);
+    const auto filter =
+      PlainField(Square(1), WithCells(source, isStrip ? Kind::Strips : Kind::Lines, { ids }));
     filter->Update();
-    std::vector<Point> points;
-    vtkNew<vtkIdList> cell;
-    Curves(filter)->GetLines()->GetCellAtId(0, cell);
-    for (vtkIdType i = 0; i < cell->GetNumberOfIds(); ++i)
-    {
-      Curves(filter)->GetPoint(cell->GetId(i), points.emplace_back().data());
-    }
-    return points;
+    return PlacesOf(Curves(filter), IdsOf(Curves(filter)->GetLines(), 0));
   };
   const auto are = [&](const std::vector<Point>& points, const std::vector<std::size_t>& expected)
   {
@@ -375,23 +306,12 @@ void CheckOrder(Check& check)
 void CheckPrecisionOfBlocks(Check& check)
 {
   const auto surface = NoisySquare(8);
-  const Point single = [&surface]
-  {
-    Point p;
-    surface->GetPoint(30, p.data());
-    return p;
-  }();
-  const auto rounded = PointSources({ single }, VTK_FLOAT);
+  const auto rounded = PointSources({ PointAt(surface, 30) }, VTK_FLOAT);
   const auto other = PointSources({ { 0.9, 0.9, 0.0 } });
   for (const bool isFirst : { true, false })
   {
-    vtkNew<vtkMultiBlockDataSet> blocks;
-    blocks->SetBlock(0, isFirst ? rounded : other);
-    blocks->SetBlock(1, isFirst ? other : rounded);
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->RefineMeshOff();
-    filter->SetInputData(surface);
-    filter->SetSourceData(blocks);
+    const auto blocks = Blocks({ isFirst ? rounded : other, isFirst ? other : rounded });
+    const auto filter = PlainField(surface, blocks);
     filter->Update();
     check.Equal(Distances(filter)->GetTuple1(30), 0.0,
       std::string("a point in single precision in the ") + (isFirst ? "first" : "last") +

@@ -16,13 +16,8 @@ const std::vector<Point> Line = { { 0.1, 0.2, 0 }, { 0.7, 0.35, 0 }, { 0.65, 0.9
 
 vtkSmartPointer<vtkPolyData> NumberedCells(vtkSmartPointer<vtkPolyData> data)
 {
-  vtkNew<vtkIdTypeArray> numbers;
-  numbers->SetName("Number");
-  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
-  {
-    numbers->InsertNextValue(100 + i);
-  }
-  data->GetCellData()->AddArray(numbers);
+  AddArrayOf<vtkIdTypeArray>(
+    data->GetCellData(), "Number", data->GetNumberOfCells(), [&](vtkIdType i) { return 100 + i; });
   return data;
 }
 
@@ -49,15 +44,16 @@ void CheckKinds(Check& check)
   {
     NumberedCells(surface);
     vtkNew<vtkGeodesicDistanceField> filter;
+    filter->GenerateSignedDistanceOn(); // needs one orientation
     Messages messages(filter);
     Run(messages, filter, surface, Polyline(Line));
     CheckDistances(check, filter, DistanceTo(Line), name);
 
     vtkPolyData* output = filter->GetOutput();
     check.That(output->GetPoints() == surface->GetPoints(), name + ": the points are the input's");
-    check.Equal(static_cast<double>(output->GetNumberOfPolys()), 128.0, name + ": triangles");
-    check.Equal(static_cast<double>(output->GetNumberOfCells()), 128.0, name + ": cells");
-    check.Equal(static_cast<double>(output->GetPolys()->GetMaxCellSize()), 3.0, name + ": corners");
+    check.Equal(output->GetNumberOfPolys(), 128.0, name + ": triangles");
+    check.Equal(output->GetNumberOfCells(), 128.0, name + ": cells");
+    check.Equal(output->GetPolys()->GetMaxCellSize(), 3.0, name + ": corners");
   }
 }
 
@@ -80,11 +76,9 @@ void CheckCellData(Check& check, const std::string& name, vtkSmartPointer<vtkPol
     const auto parent = static_cast<vtkIdType>(numbers->GetTuple1(cell)) - 100;
     vtkNew<vtkIdList> outer;
     surface->GetCellPoints(parent, outer);
-    vtkNew<vtkIdList> corners;
-    output->GetPolys()->GetCellAtId(cell, corners);
-    for (vtkIdType k = 0; k < 3; ++k)
+    for (const vtkIdType id : IdsOf(output->GetPolys(), cell))
     {
-      check.That(outer->IsId(corners->GetId(k)) >= 0, name + ": the number of the cell around");
+      check.That(outer->IsId(id) >= 0, name + ": the number of the cell around");
     }
   }
 }
@@ -92,32 +86,13 @@ void CheckCellData(Check& check, const std::string& name, vtkSmartPointer<vtkPol
 vtkSmartPointer<vtkPolyData> QuadsWithLinesAndStrips()
 {
   auto surface = Square(4, Cells::Quads);
-  surface->SetStrips(nullptr);
   // The last row of squares as a strip, behind lines and vertices.
-  const vtkIdType n = 4;
-  vtkNew<vtkCellArray> quads;
-  for (vtkIdType f = 0; f + n < surface->GetNumberOfPolys(); ++f)
-  {
-    vtkNew<vtkIdList> ids;
-    surface->GetPolys()->GetCellAtId(f, ids);
-    quads->InsertNextCell(ids);
-  }
-  vtkNew<vtkCellArray> strips;
-  strips->InsertNextCell(2 * (static_cast<int>(n) + 1));
-  for (vtkIdType i = 0; i <= n; ++i)
-  {
-    strips->InsertCellPoint((n - 1) * (n + 1) + i);
-    strips->InsertCellPoint(n * (n + 1) + i);
-  }
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell({ 0, 1 });
-  vtkNew<vtkCellArray> vertices;
-  vertices->InsertNextCell({ 0 });
-  vertices->InsertNextCell({ 2, 3 });
-  surface->SetPolys(quads);
-  surface->SetStrips(strips);
-  surface->SetLines(lines);
-  surface->SetVerts(vertices);
+  auto quads = CellsOf(surface->GetPolys());
+  quads.resize(12);
+  surface->SetPolys(CellArrayOf(quads));
+  surface->SetStrips(CellArray({ { 15, 20, 16, 21, 17, 22, 18, 23, 19, 24 } }));
+  surface->SetLines(CellArray({ { 0, 1 } }));
+  surface->SetVerts(CellArray({ { 0 }, { 2, 3 } }));
   return surface;
 }
 
@@ -125,34 +100,16 @@ vtkSmartPointer<vtkPolyData> QuadsWithLinesAndStrips()
 /// go around the notch.
 void CheckConcavePolygon(Check& check)
 {
-  const auto surface = PointSources({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 2, 3, 0 },
-    { 2, 1, 0 }, { 1, 1, 0 }, { 1, 3, 0 }, { 0, 3, 0 } });
-  vtkNew<vtkCellArray> polys;
-  polys->InsertNextCell({ 0, 1, 2, 3, 4, 5, 6, 7 });
-  surface->SetPolys(polys);
+  const auto surface = Mesh({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 2, 3, 0 }, { 2, 1, 0 },
+                              { 1, 1, 0 }, { 1, 3, 0 }, { 0, 3, 0 } },
+    { { 0, 1, 2, 3, 4, 5, 6, 7 } });
   vtkNew<vtkGeodesicDistanceField> filter;
   Messages messages(filter);
   Run(messages, filter, surface, PointSources({ { 1, 3, 0 } }));
   check.That(messages.Error().empty(), "a U as one polygon: " + messages.Error());
-  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfPolys()), 6.0, "its triangles");
+  check.Equal(filter->GetOutput()->GetNumberOfPolys(), 6.0, "its triangles");
   const double around = Distances(filter) ? Distances(filter)->GetTuple1(3) : 0.0;
-  check.That(std::abs(around - 5.0) < 1e-14, "the way around the notch of a U");
-}
-
-/// One polygon at sizes far apart.
-vtkSmartPointer<vtkPolyData> OnePolygon(
-  const std::vector<Point>& points, const std::vector<vtkIdType>& outline, double scale)
-{
-  std::vector<Point> scaled;
-  for (const Point& p : points)
-  {
-    scaled.push_back({ scale * p[0], scale * p[1], scale * p[2] });
-  }
-  auto data = PointSources(scaled);
-  vtkNew<vtkCellArray> polys;
-  polys->InsertNextCell(static_cast<vtkIdType>(outline.size()), outline.data());
-  data->SetPolys(polys);
-  return data;
+  check.Near(around, 5.0, 1e-14, "the way around the notch of a U");
 }
 
 /// The distance from the first point to another, along a path over some points of a polygon.
@@ -163,22 +120,19 @@ void CheckPathInPolygon(Check& check, const std::vector<Point>& points,
   double length = 0.0;
   for (std::size_t i = 0; i + 1 < path.size(); ++i)
   {
-    length += std::sqrt(
-      vtkMath::Distance2BetweenPoints(points[path[i]].data(), points[path[i + 1]].data()));
+    length += LengthBetween(points[path[i]], points[path[i + 1]]);
   }
-  const auto surface = OnePolygon(points, outline, scale);
+  // At sizes far apart.
+  const auto surface = Moved(Mesh(points, { outline }), ScaledBy(scale));
   vtkNew<vtkGeodesicDistanceField> filter;
   Messages messages(filter);
-  const Point& first = points[path.front()];
-  Run(messages, filter, surface,
-    PointSources({ { scale * first[0], scale * first[1], scale * first[2] } }));
+  Run(messages, filter, surface, PointSources({ ScaledBy(scale)(points[path.front()]) }));
   check.That(messages.Error().empty() && !Contains(messages.Warning(), "polygon"),
     what + ": no message: " + messages.Error() + messages.Warning());
   const double distance = Distances(filter)->GetTuple1(static_cast<vtkIdType>(path.back())) / scale;
-  check.That(std::abs(distance - length) < 1e-13 * length,
+  check.Near(distance, length, 1e-13 * length,
     what + ": " + std::to_string(distance) + " for " + std::to_string(length));
-  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfPolys()),
-    static_cast<double>(outline.size() - 2), what + ": triangles");
+  check.Equal(filter->GetOutput()->GetNumberOfPolys(), outline.size() - 2, what + ": triangles");
 }
 
 void CheckOutlines(Check& check)
@@ -207,28 +161,22 @@ void CheckOutlines(Check& check)
 void CheckDegenerateQuads(Check& check)
 {
   // A quad with a repeated corner is a triangle; one with two is nothing.
-  auto surface = PointSources({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } });
-  vtkNew<vtkCellArray> polys;
-  polys->InsertNextCell({ 0, 1, 2, 2 });
-  polys->InsertNextCell({ 0, 0, 2, 3 });
-  polys->InsertNextCell({ 0, 0, 1, 1 });
-  surface->SetPolys(polys);
+  const auto surface = Mesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
+    { { 0, 1, 2, 2 }, { 0, 0, 2, 3 }, { 0, 0, 1, 1 } });
   vtkNew<vtkGeodesicDistanceField> filter;
   Messages messages(filter);
   Run(messages, filter, surface, PointSources({ { 1, 0, 0 } }));
   CheckDistances(check, filter, DistanceTo({ { 1, 0, 0 } }), "quads with repeated corners");
-  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfPolys()), 2.0,
-    "triangles from quads with repeated corners");
+  check.Equal(
+    filter->GetOutput()->GetNumberOfPolys(), 2.0, "triangles from quads with repeated corners");
   check.That(Contains(messages.Warning(), "1 face with two corners"), "the empty quad is counted");
 }
 
 void CheckPolygonsWithoutArea(Check& check)
 {
   // A quad folded onto a line conducts along it.
-  auto surface = PointSources({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } });
-  vtkNew<vtkCellArray> polys;
-  polys->InsertNextCell({ 0, 1, 3, 2 });
-  surface->SetPolys(polys);
+  const auto surface =
+    Mesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } }, { { 0, 1, 3, 2 } });
   vtkNew<vtkGeodesicDistanceField> filter;
   Messages messages(filter);
   Run(messages, filter, surface, PointSources({ { 0, 0, 0 } }));
@@ -247,7 +195,7 @@ void CheckMerging(Check& check)
   {
     reached += std::isfinite(Distances(filter)->GetTuple1(i)) ? 1 : 0;
   }
-  check.Equal(static_cast<double>(reached), 3.0, "points reached in soup that is not merged");
+  check.Equal(reached, 3.0, "points reached in soup that is not merged");
 
   filter->MergeCoincidentPointsOn();
   messages.Update();
@@ -258,8 +206,7 @@ void CheckMerging(Check& check)
   vtkPoints* points = surface->GetPoints();
   for (vtkIdType i = 3; i < 6; ++i)
   {
-    double p[3];
-    points->GetPoint(i, p);
+    const Point p = PointAt(points, i);
     points->SetPoint(i, p[0] == 0.0 ? -0.0 : p[0], p[1] == 0.0 ? -0.0 : p[1], -0.0);
   }
   filter->SetInputData(surface);
@@ -267,8 +214,7 @@ void CheckMerging(Check& check)
   CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "soup with -0");
   for (vtkIdType i = 3; i < 6; ++i)
   {
-    double p[3];
-    points->GetPoint(i, p);
+    const Point p = PointAt(points, i);
     points->SetPoint(i, p[0], p[1], 5e-324);
   }
   points->Modified();
@@ -282,57 +228,16 @@ void CheckMerging(Check& check)
 void CheckStripBesideVertex(Check& check)
 {
   auto surface = Square(1, Cells::Strips);
-  vtkNew<vtkCellArray> vertices;
-  vertices->InsertNextCell({ 0 });
-  surface->SetVerts(vertices);
+  surface->SetVerts(CellArray({ { 0 } }));
   vtkNew<vtkGeodesicDistanceField> filter;
   Messages messages(filter);
   Run(messages, filter, NumberedCells(surface), PointSources({ { 0, 0, 0 } }));
   vtkPolyData* output = filter->GetOutput();
-  check.Equal(static_cast<double>(output->GetNumberOfPolys()), 2.0, "triangles of a strip");
+  check.Equal(output->GetNumberOfPolys(), 2.0, "triangles of a strip");
   vtkDataArray* numbers = output->GetCellData()->GetArray("Number");
   check.That(numbers && numbers->GetNumberOfTuples() == 2 && numbers->GetTuple1(0) == 101.0 &&
       numbers->GetTuple1(1) == 101.0,
     "both have the number of the strip");
-}
-
-void CheckUnreached(Check& check)
-{
-  auto surface = Square(2);
-  const vtkIdType alone = surface->GetPoints()->InsertNextPoint(9, 9, 9);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  Messages messages(filter);
-  Run(messages, filter, surface, PointSources({ { 0, 0, 0 } }));
-  const double distance = Distances(filter)->GetTuple1(alone);
-  check.That(std::isinf(distance) && distance > 0, "an isolated point is infinitely far");
-}
-
-vtkSmartPointer<vtkPolyData> Scaled(vtkSmartPointer<vtkPolyData> data, double scale)
-{
-  MovePoints(data,
-    [&](const Point& p) {
-      return Point{ scale * p[0], scale * p[1], scale * p[2] };
-    });
-  return data;
-}
-
-void CheckScale(Check& check, Cells cells, double scale)
-{
-  vtkNew<vtkGeodesicDistanceField> filter;
-  Messages messages(filter);
-  Run(messages, filter, Scaled(Square(8, cells), scale), Scaled(Polyline(Line), scale));
-  std::vector<Point> line = Line;
-  for (Point& p : line)
-  {
-    for (double& x : p)
-    {
-      x *= scale;
-    }
-  }
-  const std::string name = "scale " + std::to_string(scale);
-  CheckDistances(check, filter, DistanceTo(line), name);
-  check.Equal(
-    static_cast<double>(filter->GetOutput()->GetNumberOfPolys()), 128.0, name + ": triangles");
 }
 
 }
@@ -351,11 +256,5 @@ int TestGeodesicSurfaces(int, char*[])
   CheckPolygonsWithoutArea(check);
   CheckMerging(check);
   CheckStripBesideVertex(check);
-  CheckUnreached(check);
-  for (const double scale : { 1e-9, 1e9 })
-  {
-    CheckScale(check, Cells::Triangles, scale);
-    CheckScale(check, Cells::Quads, scale);
-  }
   return check.Result();
 }

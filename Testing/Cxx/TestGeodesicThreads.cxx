@@ -12,19 +12,10 @@ using namespace GeodesicTesting;
 namespace
 {
 
-vtkSmartPointer<vtkPolyData> Ellipsoid()
-{
-  return ChangedSphere(150, 100,
-    [](const Point& p) {
-      return Point{ p[0] + 0.02 * std::sin(20.0 * p[1]), 0.6 * p[1], 1.7 * p[2] };
-    });
-}
-
 vtkSmartPointer<vtkPolyData> Run(vtkPolyData* surface, bool approximate, bool refine)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(Polyline({ { 0.4, 0.1, 0.2 }, { 0.1, 0.3, 0.3 }, { -0.3, 0.2, 0.1 } }));
+  const auto filter =
+    RefinedField(surface, Polyline({ { 0.4, 0.1, 0.2 }, { 0.1, 0.3, 0.3 }, { -0.3, 0.2, 0.1 } }));
   filter->SetAccuracy(approximate ? 1 : 0);
   filter->SetRefineMesh(refine);
   filter->GenerateSourceAngleOn();
@@ -33,26 +24,17 @@ vtkSmartPointer<vtkPolyData> Run(vtkPolyData* surface, bool approximate, bool re
   return filter->GetOutput();
 }
 
-bool SameBits(vtkDataArray* a, vtkDataArray* b)
-{
-  const auto bytes = static_cast<std::size_t>(a->GetNumberOfValues()) *
-    static_cast<std::size_t>(a->GetDataTypeSize());
-  return a->GetDataType() == b->GetDataType() && a->GetNumberOfValues() == b->GetNumberOfValues() &&
-    std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), bytes) == 0;
-}
-
 bool Same(vtkPolyData* a, vtkPolyData* b)
 {
-  bool same = SameBits(a->GetPoints()->GetData(), b->GetPoints()->GetData()) &&
-    SameBits(a->GetPolys()->GetConnectivityArray(), b->GetPolys()->GetConnectivityArray()) &&
-    SameBits(a->GetPointData()->GetScalars(), b->GetPointData()->GetScalars()) &&
-    SameBits(a->GetPointData()->GetTCoords(), b->GetPointData()->GetTCoords()) &&
-    SameBits(
-      a->GetPointData()->GetArray("SourceAngle"), b->GetPointData()->GetArray("SourceAngle"));
+  bool same = AreSame(a->GetPoints()->GetData(), b->GetPoints()->GetData()) &&
+    AreSame(a->GetPolys()->GetConnectivityArray(), b->GetPolys()->GetConnectivityArray()) &&
+    AreSame(a->GetPointData()->GetScalars(), b->GetPointData()->GetScalars()) &&
+    AreSame(a->GetPointData()->GetTCoords(), b->GetPointData()->GetTCoords()) &&
+    AreSame(a->GetPointData()->GetArray("SourceAngle"), b->GetPointData()->GetArray("SourceAngle"));
   for (const char* name : { "WindowsPropagatedPerEdge", "SourceLength", "SourceSnapDistance",
          "RelativeErrorBound", "InterpolationErrorBound" })
   {
-    same = same && SameBits(a->GetFieldData()->GetArray(name), b->GetFieldData()->GetArray(name));
+    same = same && AreSame(a->GetFieldData()->GetArray(name), b->GetFieldData()->GetArray(name));
   }
   return same;
 }
@@ -62,7 +44,7 @@ bool Same(vtkPolyData* a, vtkPolyData* b)
 int TestGeodesicThreads(int, char*[])
 {
   Check check;
-  auto surface = Ellipsoid();
+  const auto surface = WavySphere(150, 100);
   int backends = 0;
   for (const bool approximate : { false, true })
   {

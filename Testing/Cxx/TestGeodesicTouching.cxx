@@ -4,9 +4,7 @@
 #include "GeodesicTesting.h"
 
 #include "vtkAppendPolyData.h"
-#include "vtkCutter.h"
 #include "vtkMath.h"
-#include "vtkPlane.h"
 #include "vtkReverseSense.h"
 #include "vtkStripper.h"
 
@@ -28,44 +26,20 @@ struct Line
   double c;
 };
 
-vtkSmartPointer<vtkPolyData> Section(vtkPolyData* surface, const Line& line, bool joined)
+vtkSmartPointer<vtkPolyData> CutAlong(vtkPolyData* surface, const Line& line, bool joined)
 {
-  vtkNew<vtkPlane> plane;
-  plane->SetNormal(line.a, line.b, 0.0);
-  const double squared = line.a * line.a + line.b * line.b;
-  plane->SetOrigin(line.a * line.c / squared, line.b * line.c / squared, 0.0);
-  vtkNew<vtkCutter> cutter;
-  cutter->SetInputData(surface);
-  cutter->SetCutFunction(plane);
+  const double scale = line.c / (line.a * line.a + line.b * line.b);
+  const auto lines =
+    Section(surface, { line.a, line.b, 0.0 }, { line.a * scale, line.b * scale, 0.0 });
   if (!joined)
   {
-    cutter->Update();
-    return cutter->GetOutput();
+    return lines;
   }
   vtkNew<vtkStripper> stripper;
-  stripper->SetInputConnection(cutter->GetOutputPort());
+  stripper->SetInputData(lines);
   stripper->SetMaximumLength(100000);
   stripper->Update();
   return stripper->GetOutput();
-}
-
-double Length(vtkPolyData* lines)
-{
-  double length = 0.0;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < lines->GetNumberOfLines(); ++cell)
-  {
-    lines->GetLines()->GetCellAtId(cell, ids);
-    for (vtkIdType i = 1; i < ids->GetNumberOfIds(); ++i)
-    {
-      Point p;
-      Point q;
-      lines->GetPoint(ids->GetId(i - 1), p.data());
-      lines->GetPoint(ids->GetId(i), q.data());
-      length += std::sqrt(vtkMath::Distance2BetweenPoints(p.data(), q.data()));
-    }
-  }
-  return length;
 }
 
 vtkSmartPointer<vtkPolyData> Together(vtkPolyData* first, vtkPolyData* second)
@@ -82,19 +56,14 @@ vtkSmartPointer<vtkPolyData> Together(vtkPolyData* first, vtkPolyData* second)
 std::vector<double> DistancesFrom(
   Check& check, vtkPolyData* surface, vtkPolyData* source, bool merge, const std::string& what)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
+  const auto filter = PlainField(surface, source);
   filter->SetMergeCoincidentPoints(merge);
-  filter->SetInputData(surface);
-  filter->SetSourceData(source);
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Error().empty(), what + ": " + messages.Error());
-  const double before = Length(source);
-  const double after = Length(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1)));
+  RunWithoutError(check, filter, what);
+  const double before = TotalLength(source);
+  const double after = TotalLength(OutputOf(filter, 1));
   const bool isFloat = source->GetPoints()->GetDataType() == VTK_FLOAT;
   check.That(before > 0.0, what + ": the source has a length");
-  check.That(std::abs(after - before) <= (isFloat ? 1e-6 : 1e-12) * before,
+  check.Near(after, before, (isFloat ? 1e-6 : 1e-12) * before,
     what + ": the source comes out " + std::to_string(after / before) + " times as long");
   std::vector<double> distances;
   for (vtkIdType i = 0; Distances(filter) && i < surface->GetNumberOfPoints(); ++i)
@@ -103,15 +72,6 @@ std::vector<double> DistancesFrom(
   }
   distances.resize(static_cast<std::size_t>(surface->GetNumberOfPoints()), -1.0);
   return distances;
-}
-
-/// Sizes are about one.
-void CheckValue(
-  Check& check, double actual, double expected, const std::string& what, double tolerance = 1e-12)
-{
-  const bool holds = actual == expected || std::abs(actual - expected) <= tolerance;
-  check.That(
-    holds, what + ": " + std::to_string(actual) + " instead of " + std::to_string(expected));
 }
 
 //------------------------------------------------------------------------------
@@ -139,19 +99,18 @@ void CheckInvertedTriangle(Check& check)
         const std::string what = "an inverted triangle, the section " + std::to_string(line.a) +
           " x + " + std::to_string(line.b) + " y = " + std::to_string(line.c) +
           (joined ? ", joined" : ", in pieces") + (dataType == VTK_FLOAT ? ", 32 bits" : "");
-        auto section = Section(surface, line, joined);
+        auto section = CutAlong(surface, line, joined);
         const auto distances = DistancesFrom(check, surface, section, true, what);
         for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
         {
-          Point p;
-          surface->GetPoint(i, p.data());
+          const Point p = PointAt(surface, i);
           const double offset = line.a * p[0] + line.b * p[1] - line.c;
           const double away = std::abs(offset) / std::hypot(line.a, line.b);
           const bool isPast = line.b == 0.0 && p[0] > line.c;
           if (isPast)
           {
-            CheckValue(check, distances[static_cast<std::size_t>(i)], away, what,
-              dataType == VTK_FLOAT ? 1e-6 : 1e-12);
+            check.Near(distances[static_cast<std::size_t>(i)], away,
+              dataType == VTK_FLOAT ? 1e-6 : 1e-12, what);
           }
         }
       }
@@ -181,7 +140,7 @@ void CheckCoincidentSheets(Check& check)
         const std::string what = std::string("two sheets, ") + (fineFirst ? "fine" : "coarse") +
           " first, a section of the " + (cutFine ? "fine" : "coarse") + " one" +
           (joined ? ", joined" : ", in pieces");
-        auto section = Section(cutFine ? fine : coarse, line, joined);
+        auto section = CutAlong(cutFine ? fine : coarse, line, joined);
         const auto distances = DistancesFrom(check, surface, section, false, what);
         for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
         {
@@ -189,8 +148,8 @@ void CheckCoincidentSheets(Check& check)
           const double* p = surface->GetPoint(i);
           if (!isCut || isBeside(p))
           {
-            CheckValue(
-              check, distances[static_cast<std::size_t>(i)], isCut ? away(p) : Infinity, what);
+            check.Near(
+              distances[static_cast<std::size_t>(i)], isCut ? away(p) : Infinity, 1e-12, what);
           }
         }
       }
@@ -198,13 +157,13 @@ void CheckCoincidentSheets(Check& check)
     // The section of both at once, in pieces: each keeps to its sheet.
     const std::string what = "two sheets, the section of both";
     const auto distances =
-      DistancesFrom(check, surface, Section(surface, line, false), false, what);
+      DistancesFrom(check, surface, CutAlong(surface, line, false), false, what);
     for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
     {
       const double* p = surface->GetPoint(i);
       if (isBeside(p))
       {
-        CheckValue(check, distances[static_cast<std::size_t>(i)], away(p), what);
+        check.Near(distances[static_cast<std::size_t>(i)], away(p), 1e-12, what);
       }
     }
   }
@@ -229,8 +188,8 @@ void CheckCoincidentPoints(Check& check)
     for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
     {
       const bool isFine = (i < inFirst) == fineFirst;
-      CheckValue(check, distances[static_cast<std::size_t>(i)],
-        isFine ? std::abs(surface->GetPoint(i)[1] - 0.5) : Infinity, what);
+      check.Near(distances[static_cast<std::size_t>(i)],
+        isFine ? std::abs(surface->GetPoint(i)[1] - 0.5) : Infinity, 1e-12, what);
     }
   }
 }
@@ -249,7 +208,7 @@ void CheckDoubledSphere(Check& check)
     const std::string what =
       std::string("a doubled sphere, the section ") + (joined ? "joined" : "in pieces");
     const auto distances =
-      DistancesFrom(check, surface, Section(sphere, { 1.0, 0.3, 0.1 }, joined), false, what);
+      DistancesFrom(check, surface, CutAlong(sphere, { 1.0, 0.3, 0.1 }, joined), false, what);
     const auto half = distances.begin() + sphere->GetNumberOfPoints();
     const auto isReached = [](double d) { return d < Infinity; };
     check.That(std::all_of(distances.begin(), half, isReached), what + ": the one is reached");
@@ -270,15 +229,14 @@ FoldedStrip MakeFoldedStrip()
 {
   constexpr int rows = 7;
   FoldedStrip strip;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
+  std::vector<Point> points;
   int columns = 0;
   for (; columns <= 13; ++columns)
   {
     const double along = columns <= 8 ? 0.25 * columns : 2.0 + 0.18 * (columns - 8);
     for (int j = 0; j <= rows; ++j)
     {
-      points->InsertNextPoint(along <= 2.0 ? along : 4.0 - along, double(j) / rows, 0.0);
+      points.push_back({ along <= 2.0 ? along : 4.0 - along, double(j) / rows, 0.0 });
       strip.Along.push_back(along);
     }
   }
@@ -291,8 +249,7 @@ FoldedStrip MakeFoldedStrip()
       InsertSquare(polys, Cells::Triangles, { a, a + rows + 1, a + rows + 2, a + 1 });
     }
   }
-  strip.Surface = vtkSmartPointer<vtkPolyData>::New();
-  strip.Surface->SetPoints(points);
+  strip.Surface = PointSources(points);
   strip.Surface->SetPolys(polys);
   return strip;
 }
@@ -311,11 +268,11 @@ void CheckFoldedStrip(Check& check)
     const std::string what =
       std::string("a folded strip, the section ") + (joined ? "joined" : "in pieces");
     const auto distances =
-      DistancesFrom(check, strip.Surface, Section(strip.Surface, line, joined), true, what);
+      DistancesFrom(check, strip.Surface, CutAlong(strip.Surface, line, joined), true, what);
     for (std::size_t i = 0; i < distances.size(); ++i)
     {
       const double y = strip.Surface->GetPoint(static_cast<vtkIdType>(i))[1];
-      CheckValue(check, distances[i], truth({ strip.Along[i], y, 0.0 }), what);
+      check.Near(distances[i], truth({ strip.Along[i], y, 0.0 }), 1e-12, what);
     }
   }
 }
@@ -331,7 +288,7 @@ void CheckSoup(Check& check)
     const std::string what =
       std::string("a soup of triangles, the section ") + (joined ? "joined" : "in pieces");
     const auto distances =
-      DistancesFrom(check, surface, Section(surface, { 0.0, 1.0, height }, joined), false, what);
+      DistancesFrom(check, surface, CutAlong(surface, { 0.0, 1.0, height }, joined), false, what);
     for (vtkIdType first = 0; first < surface->GetNumberOfPoints(); first += 3)
     {
       std::vector<Point> ends;
@@ -348,10 +305,9 @@ void CheckSoup(Check& check)
       }
       for (vtkIdType k = 0; k < 3; ++k)
       {
-        Point p;
-        surface->GetPoint(first + k, p.data());
-        CheckValue(check, distances[static_cast<std::size_t>(first + k)],
-          ends.empty() ? Infinity : DistanceToSegment(p, ends[0], ends[1]), what);
+        const Point p = PointAt(surface, first + k);
+        check.Near(distances[static_cast<std::size_t>(first + k)],
+          ends.empty() ? Infinity : DistanceToSegment(p, ends[0], ends[1]), 1e-12, what);
       }
     }
   }

@@ -36,16 +36,8 @@ vtkSmartPointer<vtkPolyData> WithPoints(vtkSmartPointer<vtkPolyData> data, int c
 
 vtkSmartPointer<vtkPolyData> WithLinesAndVertices(vtkSmartPointer<vtkPolyData> data)
 {
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell({ 0, 1 });
-  lines->InsertNextCell({ 1, 2, 3 });
-  vtkNew<vtkCellArray> vertices;
-  for (vtkIdType i = 0; i < 3; ++i)
-  {
-    vertices->InsertNextCell({ i });
-  }
-  data->SetLines(lines);
-  data->SetVerts(vertices);
+  data->SetLines(CellArray({ { 0, 1 }, { 1, 2, 3 } }));
+  data->SetVerts(CellArray({ { 0 }, { 1 }, { 2 } }));
   return data;
 }
 
@@ -113,6 +105,7 @@ std::vector<Case> QuietCases()
   std::vector<Point> ringAgain = ring;
   ringAgain.push_back(ring.front());
   return {
+    { "points", Square(2), PointSources({ origin, { 0.3, 0.4, 0 } }), {} },
     { "quads", Square(2, Cells::Quads), corner, {} },
     { "a polygon", WithPolygon(Square(1)), corner, {} },
     { "strips", Square(2, Cells::Strips), corner, {} },
@@ -159,14 +152,10 @@ void CheckExistingArray(Check& check)
   mine->SetNumberOfTuples(surface->GetNumberOfPoints());
   mine->Fill(-7.0);
   surface->GetPointData()->AddArray(mine);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  const auto filter = RefinedField(surface, PointSources({ { 0, 0, 0 } }));
   Messages messages(filter);
-  messages.Update();
-
-  check.That(Contains(messages.Warning(), "already has a point array named GeodesicDistance"),
-    "an existing array is told");
+  messages.ExpectWarning(
+    check, { "already has a point array named GeodesicDistance" }, "an existing array is told");
   CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "beside an existing array");
   check.That(surface->GetPointData()->GetArray("GeodesicDistance") == mine.Get(),
     "the input keeps its array");
@@ -174,20 +163,9 @@ void CheckExistingArray(Check& check)
 
   filter->SetDistanceArrayName("Other");
   filter->RefineMeshOff();
-  messages.Update();
-  check.That(messages.Warning().empty(), "no warning with another name: " + messages.Warning());
+  messages.ExpectNoWarning(check, "no warning with another name");
   check.That(filter->GetOutput()->GetPointData()->GetArray("GeodesicDistance") == mine.Get(),
     "the output passes the input's array on");
-}
-
-void CheckSilence(Check& check)
-{
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(2));
-  filter->SetSourceData(PointSources({ { 0, 0, 0 }, { 0.3, 0.4, 0 } }));
-  Messages messages(filter);
-  messages.Update();
-  check.That(messages.Warning().empty(), "nothing is said of plain input: " + messages.Warning());
 }
 
 /// What was noticed of the surface is told with the first execution that gives a result.
@@ -196,15 +174,12 @@ void CheckWarningsAfterFailure(Check& check)
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetInputData(WithLinesAndVertices(Square(2)));
   Messages messages(filter);
-  messages.Update();
-  check.That(Contains(messages.Error(), "no source"), "the first execution fails");
+  messages.ExpectError(check, { "no source" }, "the first execution fails");
   filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
-  messages.Update();
-  check.That(Contains(messages.Warning(), "2 lines among the surface's cells"),
+  messages.ExpectWarning(check, { "2 lines among the surface's cells" },
     "after a failed execution the surface's warnings are told");
   filter->SetSourceData(PointSources({ { 1, 0, 0 } }));
-  messages.Update();
-  check.That(messages.Warning().empty(), "they are told once: " + messages.Warning());
+  messages.ExpectNoWarning(check, "they are told once");
 }
 
 /// As with time steps: what is connected stays, its data change.
@@ -273,8 +248,7 @@ void CheckFarTargets(Check& check, const std::string& name)
     "a target far away");
   filter->Modified();
   expect("", "the same again");
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, PointSources({ { 1, 1, 0 } }));
+  const auto blocks = Blocks({ PointSources({ { 1, 1, 0 } }) });
   blocks->SetBlock(
     1, PointSources({ { 0, 0, 1 }, { 0, 0, 0 }, { 0, 0, 2 }, { 0, 0, 3 }, { 0, 0, 1 } }));
   filter->SetTargetsData(blocks);
@@ -286,9 +260,8 @@ void CheckFarTargets(Check& check, const std::string& name)
 
 void CheckFarPointsOfSourceAsTargets(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceMatrix> matrix;
-  matrix->SetInputData(Square(2));
-  matrix->SetSourceData(PointSources({ { 0, 0, 1 }, { 1, 0, 0 } }));
+  const auto matrix =
+    FilterOn<vtkGeodesicDistanceMatrix>(Square(2), PointSources({ { 0, 0, 1 }, { 1, 0, 0 } }));
   Messages messages(matrix);
   messages.Update();
   check.That(Contains(messages.Warning(), "The source is up to 1 away") &&
@@ -296,16 +269,13 @@ void CheckFarPointsOfSourceAsTargets(Check& check)
     "a source that is the targets too: " + messages.Warning());
   matrix->SetSourceData(PointSources({ { 0, 0, 1 }, { 1, 0, 0 } }));
   matrix->SetSourceTypeToSurfaceBoundary();
-  messages.Update();
-  check.That(Contains(messages.Warning(), "The targets are up to 1 away"),
-    "a source that is the targets only: " + messages.Warning());
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, PointSources({ { 1, 0, 0 } }));
-  blocks->SetBlock(1, PointSources({ { 1, 0, 0 }, { 0, 0, 1 } }));
+  messages.ExpectWarning(
+    check, { "The targets are up to 1 away" }, "a source that is the targets only");
+  const auto blocks =
+    Blocks({ PointSources({ { 1, 0, 0 } }), PointSources({ { 1, 0, 0 }, { 0, 0, 1 } }) });
   matrix->SetSourceData(blocks);
-  messages.Update();
-  check.That(Contains(messages.Warning(), "at 1 of 3 points: point 1 of block 2."),
-    "blocks of a source that are the targets only: " + messages.Warning());
+  messages.ExpectWarning(check, { "at 1 of 3 points: point 1 of block 2." },
+    "blocks of a source that are the targets only");
 }
 
 /// What a property is the cause of is told for each of its values.
@@ -341,13 +311,9 @@ void CheckUnusedPointsDoNotCount(Check& check)
 {
   auto surface = Square(10);
   surface->GetPoints()->InsertNextPoint(1e4, 0.0, 0.0);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ { 0, 0, 0.1 } }));
-  Messages messages(filter);
-  messages.Update();
-  check.That(Contains(messages.Warning(), "up to 0.1 away from the surface"),
-    "beside an unused point a far source is far: " + messages.Warning());
+  const auto filter = RefinedField(surface, PointSources({ { 0, 0, 0.1 } }));
+  Messages(filter).ExpectWarning(
+    check, { "up to 0.1 away from the surface" }, "beside an unused point a far source is far");
   check.That(filter->GetInterpolationErrorBound() <= 0.001 * std::sqrt(2.0),
     "beside an unused point the surface is refined: to " +
       std::to_string(filter->GetInterpolationErrorBound()));
@@ -361,8 +327,7 @@ vtkSmartPointer<vtkPolyData> Plate(int n, double thickness)
   const vtkIdType faces = plate->GetNumberOfCells();
   for (vtkIdType i = 0; i < count; ++i)
   {
-    Point p;
-    plate->GetPoint(i, p.data());
+    Point p = PointAt(plate, i);
     p[2] = thickness;
     plate->GetPoints()->InsertNextPoint(p.data());
   }
@@ -400,18 +365,14 @@ void CheckThinWalls(Check& check)
   }
   filter->SetSourceData(Polyline(line));
   Messages messages(filter);
-  messages.Update();
-  check.That(messages.Warning().empty() && messages.Error().empty(),
-    "a curve beside a plate is not worth a word: " + messages.Warning() + messages.Error());
-  check.That(std::abs(filter->GetSourceLength() - 0.8) < 1e-12,
-    "the length beside a plate: " + std::to_string(filter->GetSourceLength()));
+  messages.ExpectNothing(check, "a curve beside a plate is not worth a word");
+  check.Near(filter->GetSourceLength(), 0.8, 1e-12, "the length beside a plate");
   line[20][2] = -0.0001;
   filter->SetSourceData(Polyline(line));
-  messages.Update();
-  check.That(Contains(messages.Warning(),
-               "2 segments of the source are several times as long on the surface as straight") &&
-      Contains(messages.Warning(), "segment 19 of cell 0, segment 20 of cell 0."),
-    "a detour: " + messages.Warning());
+  messages.ExpectWarning(check,
+    { "2 segments of the source are several times as long on the surface as straight",
+      "segment 19 of cell 0, segment 20 of cell 0." },
+    "a detour");
 }
 
 /// Curves that run over each other in opposite directions are told where signs are asked for.
@@ -419,52 +380,39 @@ void CheckOpposedCurves(Check& check)
 {
   const std::vector<Point> there = { { 0.1, 0.2, 0 }, { 0.4, 0.6, 0 }, { 0.9, 0.7, 0 } };
   const auto closed = Polyline({ there[0], there[1], there[2], there[1] }, true);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(4));
-  filter->SetSourceData(closed);
+  const auto filter = RefinedField(Square(4), closed);
   Messages messages(filter);
-  messages.Update();
-  check.That(messages.Warning().empty(), "no signs, no word: " + messages.Warning());
+  messages.ExpectNoWarning(check, "no signs, no word");
   filter->GenerateSignedDistanceOn();
-  messages.Update();
-  check.That(Contains(messages.Warning(),
-               "2 segments of the source run over another in the opposite direction: segment 2 of "
-               "cell 0, segment 3 of cell 0. Signs need one direction"),
-    "there and back: " + messages.Warning());
+  messages.ExpectWarning(check,
+    { "2 segments of the source run over another in the opposite direction: segment 2 of "
+      "cell 0, segment 3 of cell 0. Signs need one direction" },
+    "there and back");
   filter->SetSourceData(Polyline(there, true));
-  messages.Update();
-  check.That(messages.Warning().empty(), "a plain closed curve: " + messages.Warning());
+  messages.ExpectNoWarning(check, "a plain closed curve");
 
   auto edges =
     PointSources({ { 0.25, 0.5, 0 }, { 0.75, 0.5, 0 }, { 0.5, 0.5, 0 }, { 0.25, 0.5, 0 } });
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell({ 0, 1 });
-  lines->InsertNextCell({ 2, 3 });
-  edges->SetLines(lines);
+  edges->SetLines(CellArray({ { 0, 1 }, { 2, 3 } }));
   filter->SetSourceData(edges);
   filter->JoinLinesOff();
-  messages.Update();
-  check.That(Contains(messages.Warning(), "1 segment of the source runs over another") &&
-      Contains(messages.Warning(), "segment 0 of cell 1."),
-    "two curves along an edge: " + messages.Warning());
+  messages.ExpectWarning(check,
+    { "1 segment of the source runs over another", "segment 0 of cell 1." },
+    "two curves along an edge");
 }
 
 void CheckHalfMeantSources(Check& check)
 {
-  vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Tetrahedron());
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  const auto filter = RefinedField(Tetrahedron(), PointSources({ { 0, 0, 0 } }));
   filter->SetSourceTypeToCurveAndBoundary();
   Messages messages(filter);
-  messages.Update();
-  check.That(Contains(messages.Warning(), "the curve alone is the source"),
-    "a closed surface with curve and boundary");
+  messages.ExpectWarning(
+    check, { "the curve alone is the source" }, "a closed surface with curve and boundary");
 
   filter->SetInputData(Square(2));
   filter->SetSourceData(nullptr);
-  messages.Update();
-  check.That(
-    messages.Error().empty() && Contains(messages.Warning(), "the boundary alone is the source"),
+  messages.ExpectNoError(check, "curve and boundary without a curve");
+  CheckWords(check, messages.Warning(), { "the boundary alone is the source" },
     "curve and boundary without a curve");
   CheckDistances(check, filter, DistanceToBoundaryOfSquare, "the boundary alone");
 }
@@ -476,12 +424,10 @@ void CheckSurfaceAsItsOwnSource(Check& check)
   filter->SetInputData(square);
   filter->SetSourceData(square);
   Messages messages(filter);
-  messages.Update();
-  check.That(Contains(messages.Warning(), "The surface itself is the source"),
-    "the surface as its own source");
+  messages.ExpectWarning(
+    check, { "The surface itself is the source" }, "the surface as its own source");
   filter->SetSourceTypeToSurfaceBoundary();
-  messages.Update();
-  check.That(messages.Warning().empty(), "no source of its own where the boundary is the source");
+  messages.ExpectNoWarning(check, "no source of its own where the boundary is the source");
 }
 
 }
@@ -503,7 +449,6 @@ int TestGeodesicWarnings(int, char*[])
   CheckFarPointsOfSourceAsTargets(check);
   CheckWarningsOfProperties(check);
   CheckExistingArray(check);
-  CheckSilence(check);
   CheckHalfMeantSources(check);
   CheckThinWalls(check);
   CheckOpposedCurves(check);

@@ -7,7 +7,7 @@ import json
 import os
 import pathlib
 
-from paraview import simple
+from paraview import servermanager, simple
 
 FOLDER = pathlib.Path(os.environ["GEODESIC_GUI_FOLDER"])
 RADIUS = 0.5
@@ -79,6 +79,18 @@ def note_label(step):
              if label.GetXMLName() == "TextSourceRepresentation" and label.GetProperty("Visibility").GetElement(0)]
     note(step, words=words, length=field.SourceLength, largest=field.LargestDistance, place=list(field.FarthestPoint))
     picture(step)
+
+
+def note_panel(step):
+    """What is at the top of the panel of what is selected: a group stands where its first property does."""
+    proxy = simple.GetActiveSource().SMProxy
+    properties = servermanager.vtkSMOrderedPropertyIterator()
+    properties.SetProxy(proxy)
+    properties.Begin()
+    groups = [proxy.GetPropertyGroup(i) for i in range(proxy.GetNumberOfPropertyGroups())]
+    members = {group.GetXMLLabel(): [group.GetProperty(i).GetXMLName() for i in range(group.GetNumberOfProperties())]
+               for group in groups}
+    note(step, first=properties.GetKey(), groups=members)
 
 
 def note_texture(step, file):

@@ -138,6 +138,17 @@ class Stripes(unittest.TestCase):
         self.show(field)
         self.assertNotEqual(table.ColorSpace, "Step")
 
+    def test_fit_what_begins_to_use_a_color_map_that_is_there_already(self):
+        whole = field_at(1.0, GenerateSourceIds=1)
+        self.assertFalse(self.show(whole).LookupTable.UseAboveRangeColor)
+        near = field_at(1.0, GenerateSourceIds=1, MaximumDistance=1.0)
+        near.UpdatePipeline()
+        self.assertTrue(self.show(near).LookupTable.UseAboveRangeColor)
+        for field, annotations in ((whole, ["0", "0"]), (near, ["-1", "not reached", "0", "0"])):
+            display = simple.Show(field, self.view)
+            simple.ColorBy(display, ("POINTS", "SourceId"))
+            self.assertEqual(list(display.LookupTable.Annotations), annotations)
+
     def test_of_a_state_stay_as_they_were_saved(self):
         self.show(field_at(0, DistanceArrayName="Far")).LookupTable.RescaleTransferFunction(0, 8)
         with tempfile.TemporaryDirectory() as folder:

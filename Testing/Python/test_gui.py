@@ -22,7 +22,7 @@ picture.unlink(missing_ok=True)
 for old in folder.glob("geodesic-gui-*.*"):
     old.unlink()
 
-run_gui(paraview, folder, "gui_events.xml", "gui_setup.py", seconds=100)
+run_gui(paraview, folder, "gui_events.xml", "gui_setup.py")
 
 # On the sheet the distance is that from its middle line: from yellow there over red to blue at both
 # sides, about as much yellow as blue.

@@ -28,7 +28,7 @@ if simple.GetParaViewVersion() >= (5, 13):
 (folder / "geodesic-first-events.xml").write_text(events)
 
 output = run_gui(
-    paraview, folder, folder / "geodesic-first-events.xml", "gui_first_use_setup.py", seconds=100)
+    paraview, folder, folder / "geodesic-first-events.xml", "gui_first_use_setup.py")
 
 # One message for the Apply without a source. The line is 1.2 % of the sheets' size above them: one
 # warning for each filter, though the field is executed five times.

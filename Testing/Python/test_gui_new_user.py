@@ -54,6 +54,10 @@ for step in ("other", "front"):
 ruler = noted("ruler")
 assert ruler["length"] > 0.1 and ruler["words"] == [f"Length {ruler['length']:g}"], ruler
 assert noted("hidden ruler")["words"] == []
+for step in ("panel", "drawn panel"):
+    panel = noted(step)
+    results = panel["groups"]["Result"]
+    assert panel["first"] == results[0] and {"SourceLength", "LargestDistance", "FarthestPoint"} < set(results), panel
 place = np.array(ruler["place"])
 assert abs(np.linalg.norm(place) - 0.5) < 0.01, ruler
 # From the back of the ball to the curve at its front.
@@ -72,6 +76,10 @@ for seen in (near, unused):
     assert not seen["has_gray"] and not seen["has_word"], seen
 for seen in (apart, played):
     assert seen["has_gray"] and seen["has_word"] and seen["word"] == "not reached", seen
+
+# Nor are they in the bar of ids.
+assert "not reached" not in noted("unused ids")["annotations"], noted("unused ids")
+assert noted("apart ids")["annotations"][:2] == ["-1", "not reached"], noted("apart ids")
 
 # At the last frame the front goes up to 1.2 in place of 0.4.
 assert apart["nodes"][-4] < 0.8 < 1.2 <= played["nodes"][-4], (apart["nodes"], played["nodes"])

@@ -20,7 +20,8 @@ from vtkmodules.vtkCommonCore import vtkObject
 
 FILTERS = pathlib.Path(__file__).resolve().parents[2] / "Filters"
 KINDS = (geodesicdistance.vtkGeodesicDistanceField, geodesicdistance.vtkGeodesicContour,
-         geodesicdistance.vtkGeodesicPaths, geodesicdistance.vtkGeodesicDistanceMatrix)
+         geodesicdistance.vtkGeodesicPaths, geodesicdistance.vtkGeodesicDistanceMatrix,
+         geodesicdistance.vtkGeodesicFarthestPoints)
 # What the drawn curve's proxy says, and what cannot happen here.
 NOT_HERE = ("vtkGeodesicDistanceFieldFromDrawnCurve.cxx",)
 FAR = [(0.5, 0.5, 0.5)]

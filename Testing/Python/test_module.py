@@ -5,7 +5,7 @@ import math
 import unittest
 
 from geodesicdistance import (vtkGeodesicDistanceField, vtkGeodesicDistanceMatrix,
-                             vtkGeodesicPaths)
+                             vtkGeodesicFarthestPoints, vtkGeodesicPaths)
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
@@ -46,6 +46,20 @@ class Module(unittest.TestCase):
                      if vtk_class is vtkGeodesicPaths else output.GetColumnByName("Source0"))
             self.assertEqual(array.GetNumberOfTuples(), 1)
             self.assertAlmostEqual(array.GetTuple1(0), math.sqrt(6), delta=1e-12)
+
+    def test_the_farthest_point_of_the_octahedron_is_opposite_and_no_more_are_found_than_there_are(self):
+        spread = vtkGeodesicFarthestPoints()
+        self.assertEqual(spread.GetNumberOfPoints(), 100)
+        spread.SetInputData(octahedron())
+        spread.SetSourceData(point(1, 0, 0))
+        spread.Update()
+        ids, distances = (spread.GetOutput().GetColumnByName(name) for name in ("PointId", "GeodesicDistance"))
+        self.assertEqual([ids.GetValue(i) for i in range(ids.GetNumberOfValues())], [1, 2, 3, 4, 5])
+        for i in range(5):
+            self.assertAlmostEqual(distances.GetValue(i), math.sqrt(2 if i > 0 else 6), delta=1e-12)
+        spread.SetNumberOfPoints(2)
+        spread.Update()
+        self.assertEqual(spread.GetOutput().GetNumberOfRows(), 2)
 
     def test_distances_on_the_octahedron_from_a_vertex_are_those_of_its_unfolding(self):
         source = vtkPolyData()

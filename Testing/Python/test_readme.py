@@ -72,7 +72,12 @@ class HowTo(InFolder):
         self.assertEqual(set(ids), {0, 1})
         self.assert_landmarks(names)
         self.assert_pictures(names)
+        # Between the pole and where the page has moved the slice to in the end.
+        heights = vtk_to_numpy(data(names["middle"]).GetPoints().GetData())[:, 2]
+        between = (np.pi/2 + np.arcsin(0.2 / 0.5)) / 2
+        np.testing.assert_allclose(np.arcsin(heights / 0.5), between, atol=0.0005)
         self.assert_table()
+        self.assert_regions(names)
         self.assert_lines()
         found = distances(names["near"])
         self.assertAlmostEqual(found.max(), 0.4, delta=0.02)
@@ -155,6 +160,19 @@ class HowTo(InFolder):
                     area.UpdatePipeline()
                     areas.append(area.CellData["Area"].GetRange()[0])
             np.testing.assert_allclose(sorted(sides[1]), sorted(sides[0]), rtol=1e-8, atol=1e-8)
+
+    def assert_regions(self, names):
+        """The ball's faces are numbered from both poles on, then along the meridians: the first region has the caps at
+        the poles, and touches all others, which are farthest from each other across a cap."""
+        table = data(names["regions"])
+        count = table.GetNumberOfRows()
+        between = np.array([[table.GetValueByName(i, f"Source{j}").ToDouble() for j in range(count)]
+                            for i in range(count)])
+        self.assertGreater(count, 5)
+        np.testing.assert_array_equal(between, between.T)
+        np.testing.assert_array_equal(np.diagonal(between), 0)
+        np.testing.assert_allclose(between[0], 0, atol=1e-7)
+        self.assertAlmostEqual(between.max(), np.sin(np.pi / 99), delta=0.002)
 
     def assert_table(self):
         with open("distances.csv") as file:

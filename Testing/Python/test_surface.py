@@ -181,7 +181,7 @@ class Properties(unittest.TestCase):
         filters = {"field": geodesicdistance.vtkGeodesicDistanceField, "contour": geodesicdistance.vtkGeodesicContour,
                    "paths": geodesicdistance.vtkGeodesicPaths, "matrix": geodesicdistance.vtkGeodesicDistanceMatrix}
         not_theirs = {"surface", "source", "targets", "distances", "pairs", "boundary", "barriers", "threads",
-                      "source_ids"}
+                      "source_ids", "labels"}
         chosen_here = {"refine_mesh": False, "accuracy": None, "relative_error": None}
         for name, kind in filters.items():
             for argument, parameter in inspect.signature(getattr(geodesicdistance, name)).parameters.items():
@@ -194,6 +194,7 @@ class Properties(unittest.TestCase):
     def test_are_all_arguments(self):
         """Each setter of the filters is an argument, or has another name here."""
         others = {"Controller", "SourceType", "SourceConnection", "SourceData", "BarrierArrayName", "SourceIdArrayName",
+                  "TargetIdArrayName",  # labels
                   # a numpy array has no names, and nothing but distances
                   "SourceNameArrayName", "TargetNameArrayName", "GenerateTargetPositions",
                   "TargetsConnection", "TargetsData", "NumberOfContours", "Value"}
@@ -415,6 +416,23 @@ class SpreadPoints(unittest.TestCase):
             expected.append(known.argmax())
             self.assertEqual(known.max(), radius)
         self.assertEqual(ids.tolist(), expected)
+
+    def test_are_those_of_a_loop_without_limits_around_barriers_in_parts_and_on_threads(self):
+        random = np.random.default_rng(9)
+        for threads in (1, 3):
+            (points, faces), (others, _) = rough_sheet(random), rough_sheet(random)
+            faces = np.array(faces)
+            two = np.concatenate((points, others + (0, 0, 3))), np.concatenate((faces, faces + len(points)))
+            walls = random.uniform(size=len(two[1])) < 0.2
+            kept, starts = Surface(two, barriers=walls, threads=threads), [14, len(points) + 60, 90]
+            starts = [id for id in starts if id in two[1][~walls]]
+            known = np.min([kept.distance(start) for start in starts], axis=0)
+            ids, radii = kept.farthest_points(len(starts) + 50, starts)
+            for id, radius in zip(ids[len(starts):], radii[len(starts):]):
+                found = np.where(known < np.inf, known, -1).argmax()
+                self.assertEqual(id, found)
+                self.assertAlmostEqual(radius, known[found], delta=EXACT)
+                known = np.minimum(known, kept.distance(id))
 
     def test_that_tie_come_in_the_order_of_their_indices(self):
         ids, radii = farthest_points(sheet(), 4)

@@ -219,6 +219,24 @@ class ClickedPoints(unittest.TestCase):
                     self.assertEqual(domain.IsInDomain(source.SMProxy, 0), expected, name)
 
 
+class Regions(unittest.TestCase):
+    def test_of_one_label_are_one_target(self):
+        """Columns of squares: the label is that of the sixth of the plane's width, and there are 24."""
+        faces = simple.GenerateIds(Input=plane(), CellIdsArrayName="Face")
+        strips = simple.Calculator(Input=faces, AttributeType="Cell Data", ResultArrayName="Label",
+                                   Function="floor((Face - 24 * floor(Face / 24)) / 8)")
+        between = simple.GeodesicDistanceMatrix(Input=plane(), Source=strips, SourceIdArrayName="Label",
+                                                TargetIdArrayName="Label")
+        table = columns(data(between))
+        np.testing.assert_array_equal(table["TargetId"], range(3))
+        for i in range(3):
+            expected = np.maximum(np.abs(np.arange(3) - i) - 1, 0) * 4 / 3
+            np.testing.assert_allclose(table[f"Source{i}"], expected, atol=FLOAT)
+        from_point = simple.GeodesicDistanceMatrix(Input=plane(), Source=polyline([(0.5, 1, 0)] * 2), Targets=strips,
+                                                   TargetIdArrayName="Label")
+        np.testing.assert_allclose(columns(data(from_point))["Source0"], [0, 4 / 3 - 0.5, 8 / 3 - 0.5], atol=FLOAT)
+
+
 class Panel(unittest.TestCase):
     def test_every_property_has_a_help_text(self):
         for name in ("GeodesicPaths", "GeodesicDistanceMatrix"):

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/DistanceMatrix.h"
 
-#include "field/DistanceField.h"
-#include "field/RetentionAround.h"
-
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace geodesic
 {
@@ -12,150 +11,210 @@ namespace geodesic
 namespace
 {
 
-/// The distances of the targets from one source.
-std::vector<double> distancesFrom(const TriangleMesh& mesh, const std::vector<SourceCurve>& source,
-  const std::vector<SurfacePoint>& targets, double maximumDistance, const Job& job)
-{
-  std::vector<double> distances(targets.size(), Infinity);
-  if (source.empty())
-  {
-    return distances;
-  }
-  RetentionAround retention(mesh, targets, maximumDistance);
-  FrontOptions options;
-  options.job = job;
-  FrontResult front = propagate(mesh, source, options, retention);
-  const DistanceField field(MeshPartition(mesh), std::move(front), retention.release());
-  for (std::size_t i = 0; i < targets.size(); ++i)
-  {
-    const double distance = field.distance(targets[i]);
-    distances[i] = distance <= maximumDistance ? distance : Infinity;
-  }
-  return distances;
-}
-
-using SourceSets = std::vector<std::vector<SourceCurve>>;
+using Matrix = std::vector<std::vector<double>>;
 
 /// Solves from each source.
-std::vector<std::vector<double>> matrixFromSources(const TriangleMesh& mesh,
-  const SourceSets& sources, const std::vector<SurfacePoint>& targets, double maximumDistance,
-  const Job& job)
+Matrix matrixFrom(
+  const CurveSets& sources, const TargetSets& targets, double maximumDistance, const Job& job)
 {
-  std::vector<std::vector<double>> matrix(sources.size());
+  Matrix matrix(sources.size());
   job.longTasks(sources.size(),
     [&](std::size_t source, const Job& part)
-    { matrix[source] = distancesFrom(mesh, sources[source], targets, maximumDistance, part); });
+    { matrix[source] = targets.distancesFrom(sources[source], 0, maximumDistance, part); });
   return matrix;
 }
 
-/// Solves from each target. The sources are sets of points, so that the shortest path from one to a
-/// target is the shortest of those from the target to its points.
-std::vector<std::vector<double>> matrixFromTargets(const TriangleMesh& mesh,
-  const SourceSets& sources, const std::vector<SurfacePoint>& targets, double maximumDistance,
-  const Job& job)
+/// Solves from each target: a shortest path has the same length from both its ends.
+Matrix matrixFromTargets(const TriangleMesh& mesh, const CurveSets& sources,
+  const CurveSets& targets, double maximumDistance, const Job& job)
 {
-  std::vector<SurfacePoint> points;
-  std::vector<std::size_t> sourceOfPoint;
+  const Matrix rows = matrixFrom(targets, TargetSets(mesh, sources), maximumDistance, job);
+  Matrix matrix(sources.size(), std::vector<double>(targets.size()));
   for (std::size_t source = 0; source < sources.size(); ++source)
   {
-    for (const SourceCurve& point : sources[source])
+    for (std::size_t target = 0; target < targets.size(); ++target)
     {
-      points.push_back(point.points.front());
-      sourceOfPoint.push_back(source);
+      matrix[source][target] = rows[target][source];
     }
   }
-  std::vector<std::vector<double>> matrix(
-    sources.size(), std::vector<double>(targets.size(), Infinity));
-  job.longTasks(targets.size(),
-    [&](std::size_t target, const Job& part)
-    {
-      const std::vector<SourceCurve> from = { pointCurve(normalized(mesh, targets[target])) };
-      const std::vector<double> distances =
-        distancesFrom(mesh, from, points, maximumDistance, part);
-      for (std::size_t i = 0; i < points.size(); ++i)
-      {
-        double& least = matrix[sourceOfPoint[i]][target];
-        least = std::min(least, distances[i]);
-      }
-    });
   return matrix;
 }
 
-/// Estimates the work of solving from each of some sets of points until others are settled: the sum
-/// of the areas that the fronts cover, if they go as far as straight lines.
-double estimateWork(const std::vector<std::vector<Vec3>>& sets, const std::vector<Vec3>& others,
-  double maximumDistance, const Job& job)
+using Places = std::vector<std::vector<Vec3>>;
+
+/// The largest number of points of a curve for an estimate of where it is.
+constexpr std::size_t PointsOfCurve = 16;
+
+Places placesOf(const TriangleMesh& mesh, const CurveSets& sets)
+{
+  Places places(sets.size());
+  for (std::size_t set = 0; set < sets.size(); ++set)
+  {
+    for (const SourceCurve& curve : sets[set])
+    {
+      const std::size_t step = 1 + curve.points.size() / PointsOfCurve;
+      for (std::size_t i = 0; i < curve.points.size(); i += step)
+      {
+        places[set].push_back(position(mesh, curve.points[i]));
+      }
+    }
+  }
+  return places;
+}
+
+/// The least distance in space.
+double nearestOf(const std::vector<Vec3>& some, const std::vector<Vec3>& others)
+{
+  double nearest = Infinity;
+  for (const Vec3& a : some)
+  {
+    for (const Vec3& b : others)
+    {
+      nearest = std::min(nearest, norm(b - a));
+    }
+  }
+  return nearest;
+}
+
+/// Estimates the work of solving from each of some sets until others are settled: the sum of the
+/// areas that the fronts cover, if they go as far as straight lines.
+double estimateWork(
+  const Places& sets, const Places& others, double maximumDistance, const Job& job)
 {
   double work = 0.0;
   for (const std::vector<Vec3>& set : sets)
   {
     job.look();
-    double farthest = 0.0;
-    for (const Vec3& other : others)
+    double reach = 0.0;
+    for (const std::vector<Vec3>& other : others)
     {
-      double nearest = Infinity;
-      for (const Vec3& point : set)
-      {
-        nearest = std::min(nearest, norm(other - point));
-      }
-      farthest = std::max(farthest, nearest);
+      const double nearest = nearestOf(set, other);
+      reach = nearest < Infinity ? std::max(reach, nearest) : reach;
     }
-    const double reach = std::min(farthest, maximumDistance);
-    work += set.empty() ? 0.0 : reach * reach;
+    reach = std::min(reach, maximumDistance);
+    work += reach * reach;
   }
   return work;
 }
 
 /// Whether fewer fronts, with less work in all, go out from the targets than from the sources.
-bool isLessFromTargets(const TriangleMesh& mesh, const SourceSets& sources,
-  const std::vector<SurfacePoint>& targets, double maximumDistance, const Job& job)
+bool isLessFromTargets(const TriangleMesh& mesh, const CurveSets& sources, const CurveSets& targets,
+  double maximumDistance, const Job& job)
 {
-  std::size_t count = 0;
-  std::vector<std::vector<Vec3>> sets(sources.size());
-  std::vector<Vec3> points;
-  for (std::size_t source = 0; source < sources.size(); ++source)
+  const auto fronts = [](const CurveSets& sets)
   {
-    count += sources[source].empty() ? 0 : 1;
-    for (const SourceCurve& curve : sources[source])
-    {
-      if (curve.points.size() != 1 || !curve.coveredFaces.empty())
-      {
-        return false;
-      }
-      points.push_back(position(mesh, curve.points.front()));
-      sets[source].push_back(points.back());
-    }
-  }
-  if (targets.empty() || targets.size() >= count)
+    return std::count_if(
+      sets.begin(), sets.end(), [](const std::vector<SourceCurve>& set) { return !set.empty(); });
+  };
+  if (fronts(targets) == 0 || fronts(targets) >= fronts(sources))
   {
     return false;
   }
-  std::vector<Vec3> places;
-  std::vector<std::vector<Vec3>> placeSets;
-  for (const SurfacePoint& target : targets)
+  const Places some = placesOf(mesh, targets);
+  const Places others = placesOf(mesh, sources);
+  return estimateWork(some, others, maximumDistance, job) <
+    estimateWork(others, some, maximumDistance, job);
+}
+
+bool areAllPoints(const std::vector<SourceCurve>& curves)
+{
+  return std::all_of(curves.begin(), curves.end(),
+    [](const SourceCurve& curve)
+    { return curve.points.size() == 1 && curve.coveredFaces.empty(); });
+}
+
+CurveSets setsOfPoints(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points)
+{
+  CurveSets sets;
+  for (const SurfacePoint& point : points)
   {
-    places.push_back(position(mesh, target));
-    placeSets.push_back({ places.back() });
+    sets.push_back({ pointCurve(normalized(mesh, point)) });
   }
-  return estimateWork(placeSets, points, maximumDistance, job) <
-    estimateWork(sets, places, maximumDistance, job);
+  return sets;
+}
+
+/// The sets from outside to the middle, so that those left lie ever closer together.
+std::vector<std::size_t> fromOutside(const Places& sets)
+{
+  std::vector<Vec3> centres;
+  Vec3 middle{};
+  for (const std::vector<Vec3>& set : sets)
+  {
+    Vec3 centre{};
+    for (const Vec3& place : set)
+    {
+      centre = centre + (1.0 / static_cast<double>(set.size())) * place;
+    }
+    middle = middle + (1.0 / static_cast<double>(sets.size())) * centre;
+    centres.push_back(centre);
+  }
+  std::vector<std::size_t> order(sets.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b)
+    { return norm(centres[a] - middle) > norm(centres[b] - middle); });
+  return order;
 }
 
 } // anonymous namespace
+
+CurveSets setsOf(const std::vector<SourceCurve>& curves, std::size_t count)
+{
+  CurveSets sets(count);
+  for (const SourceCurve& curve : curves)
+  {
+    sets[curve.source].push_back(curve);
+  }
+  return sets;
+}
 
 std::vector<std::vector<double>> distanceMatrix(const TriangleMesh& mesh,
   const std::vector<SourceCurve>& curves, Id numberOfSources,
   const std::vector<SurfacePoint>& targets, double maximumDistance, const Job& job)
 {
-  SourceSets sources(numberOfSources);
-  for (const SourceCurve& curve : curves)
+  const CurveSets sources = setsOf(curves, numberOfSources);
+  if (areAllPoints(curves) && targets.size() < sources.size())
   {
-    sources[curve.source].push_back(curve);
+    const CurveSets sets = setsOfPoints(mesh, targets);
+    if (isLessFromTargets(mesh, sources, sets, maximumDistance, job))
+    {
+      return matrixFromTargets(mesh, sources, sets, maximumDistance, job);
+    }
   }
-  const auto solve = isLessFromTargets(mesh, sources, targets, maximumDistance, job)
-    ? matrixFromTargets
-    : matrixFromSources;
-  return solve(mesh, sources, targets, maximumDistance, job);
+  return matrixFrom(sources, TargetSets(mesh, targets), maximumDistance, job);
+}
+
+std::vector<std::vector<double>> distanceMatrix(const TriangleMesh& mesh, const CurveSets& sources,
+  const CurveSets& targets, double maximumDistance, const Job& job)
+{
+  return isLessFromTargets(mesh, sources, targets, maximumDistance, job)
+    ? matrixFromTargets(mesh, sources, targets, maximumDistance, job)
+    : matrixFrom(sources, TargetSets(mesh, targets), maximumDistance, job);
+}
+
+std::vector<std::vector<double>> distancesBetween(
+  const TriangleMesh& mesh, const CurveSets& sets, double maximumDistance, const Job& job)
+{
+  const std::vector<std::size_t> order = fromOutside(placesOf(mesh, sets));
+  CurveSets ordered;
+  for (const std::size_t set : order)
+  {
+    ordered.push_back(sets[set]);
+  }
+  const TargetSets targets(mesh, ordered);
+  Matrix matrix(sets.size(), std::vector<double>(sets.size()));
+  job.longTasks(sets.size(),
+    [&](std::size_t i, const Job& part)
+    {
+      const std::vector<double> distances =
+        targets.distancesFrom(ordered[i], static_cast<Id>(i), maximumDistance, part);
+      for (std::size_t j = i; j < sets.size(); ++j)
+      {
+        matrix[order[i]][order[j]] = distances[j];
+        matrix[order[j]][order[i]] = distances[j];
+      }
+    });
+  return matrix;
 }
 
 }

@@ -2,9 +2,7 @@
 #ifndef geodesic_DistanceMatrix_h
 #define geodesic_DistanceMatrix_h
 
-#include "front/Front.h"
-#include "mesh/SurfacePoint.h"
-#include "source/SourceCurve.h"
+#include "field/TargetSets.h"
 
 #include <vector>
 
@@ -28,6 +26,19 @@ namespace geodesic
 std::vector<std::vector<double>> distanceMatrix(const TriangleMesh& mesh,
   const std::vector<SourceCurve>& curves, Id numberOfSources,
   const std::vector<SurfacePoint>& targets, double maximumDistance = Infinity, const Job& job = {});
+
+/// The same to targets that are sets of points, lines and regions (TargetSets). They may be solved
+/// instead whatever the sources are.
+std::vector<std::vector<double>> distanceMatrix(const TriangleMesh& mesh, const CurveSets& sources,
+  const CurveSets& targets, double maximumDistance = Infinity, const Job& job = {});
+
+/// Computes the distance between each two of some sets. The table is symmetric to the last bit:
+/// one set of each two is solved.
+std::vector<std::vector<double>> distancesBetween(const TriangleMesh& mesh, const CurveSets& sets,
+  double maximumDistance = Infinity, const Job& job = {});
+
+/// \param curves SourceCurve::source, below the count, is the set of each.
+CurveSets setsOf(const std::vector<SourceCurve>& curves, std::size_t count);
 
 }
 

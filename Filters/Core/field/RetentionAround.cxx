@@ -5,14 +5,16 @@
 #include "mesh/HalfedgeFrame.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geodesic
 {
 
 RetentionAround::RetentionAround(
-  const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets, double limit)
+  const TriangleMesh& mesh, std::vector<SurfacePoint> targets, double limit, std::vector<Id> sets)
   : KeepFaces(mesh, std::vector<std::uint8_t>(mesh.numberOfFaces(), 0))
-  , targets_(targets)
+  , targets_(std::move(targets))
+  , sets_(std::move(sets))
   , limit_((1.0 + tolerance::Tie) * limit)
   , neededDistance_(this->limit_)
 {
@@ -71,22 +73,34 @@ double RetentionAround::upperBound(const SurfacePoint& target, const VertexNumbe
   return least;
 }
 
+/// \param target the first one of the set; becomes that of the next set.
+double RetentionAround::upperBoundOfSet(std::size_t& target, const VertexNumbers& distances) const
+{
+  const std::size_t first = target;
+  double least = Infinity;
+  do
+  {
+    least = std::min(least, this->upperBound(this->targets_[target++], distances));
+  } while (target < this->sets_.size() && this->sets_[target] == this->sets_[first]);
+  return least;
+}
+
 // Bounds fall as the front approaches; they are computed again halfway.
 void RetentionAround::advance(const FrontState& front)
 {
-  while (this->seen_ < this->targets_.size() &&
-    this->upperBound(this->targets_[this->seen_], front.distances) < Infinity)
+  for (std::size_t next = this->seen_;
+       next < this->targets_.size() && this->upperBoundOfSet(next, front.distances) < Infinity;)
   {
-    ++this->seen_;
+    this->seen_ = next;
   }
   if (this->seen_ < this->targets_.size() || front.key < this->nextLook_)
   {
     return;
   }
   double farthest = 0.0;
-  for (const SurfacePoint& target : this->targets_)
+  for (std::size_t target = 0; target < this->targets_.size();)
   {
-    farthest = std::max(farthest, this->upperBound(target, front.distances));
+    farthest = std::max(farthest, this->upperBoundOfSet(target, front.distances));
   }
   this->neededDistance_ = std::min((1.0 + tolerance::Tie) * farthest, this->limit_);
   this->nextLook_ = front.key + 0.5 * std::max(0.0, this->neededDistance_ - front.key);

@@ -17,8 +17,13 @@ class RetentionAround : public KeepFaces
 {
 public:
   /// \param limit targets farther than this need not be settled.
-  RetentionAround(
-    const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets, double limit = Infinity);
+  /// \param sets of each target; consecutive targets of one set are settled when the nearest of
+  ///        them is. Empty: each is alone.
+  RetentionAround(const TriangleMesh& mesh, std::vector<SurfacePoint> targets,
+    double limit = Infinity, std::vector<Id> sets = {});
+
+  /// Keeps the windows of a face besides. To be called before the front begins.
+  void keepWindows(Id face) { this->keep(face); }
 
   /// Keeps what paths (PathTracer) also need: the windows of faces around edges of three and more
   /// faces, and those around targets on edges in the faces of all ranks there. All ranks call this
@@ -30,8 +35,10 @@ public:
 
 private:
   double upperBound(const SurfacePoint& target, const VertexNumbers& distances) const;
+  double upperBoundOfSet(std::size_t& target, const VertexNumbers& distances) const;
 
   std::vector<SurfacePoint> targets_;
+  std::vector<Id> sets_;
   /// How many of the targets, from the first on, have a finite bound.
   std::size_t seen_ = 0;
   double limit_;

@@ -245,6 +245,21 @@ const std::vector<Window>& SegmentEnvelope::along(const FaceDistance& face, Vec2
   return this->envelope_;
 }
 
+double SegmentEnvelope::least(const FaceDistance& face, Vec2 p, Vec2 q, double value)
+{
+  const double length = norm(q - p);
+  double least = this->near_.choose(face, 0.5 * (p + q), 0.5 * length, value);
+  if (length > 0.0)
+  {
+    this->cutNear(p, (1.0 / length) * (q - p), length, !face.isExact());
+    for (const Window& piece : this->pieces_)
+    {
+      least = std::min(least, piece.minimum());
+    }
+  }
+  return std::max(least, 0.0);
+}
+
 void SegmentEnvelope::cutNear(Vec2 p, Vec2 u, double length, bool withBent)
 {
   this->pieces_.clear();

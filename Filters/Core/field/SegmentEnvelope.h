@@ -32,6 +32,10 @@ public:
   /// rounding. Empty if p is q. Valid until the next call.
   const std::vector<Window>& along(const FaceDistance& face, Vec2 p, Vec2 q);
 
+  /// The least distance along the segment from p to q, if it is below the value. If not, the result
+  /// is not below the value either.
+  double least(const FaceDistance& face, Vec2 p, Vec2 q, double value = Infinity);
+
   /// Finds the places of the segment from p to q where the distance passes a value, in their order.
   /// They alternate between rising and falling and agree with the arguments about the ends, in
   /// spite of roundings.

@@ -54,9 +54,33 @@ public:
     startFront(this->front_, this->workers_.first(), this->ranks_, sources);
     this->result_.sourcesInFaces = std::move(sources.inFaces);
     this->front_.retention.start(this->front_.districtNumbers.most(), this->result_.sourcesInFaces);
-    this->addSourcesInHalo(sources.inHalo);
+    this->addSources(sources.inHalo);
     this->receive();
     this->front_.options.job.reach(0.0);
+  }
+
+  /// Starts the next of the later sources, which all ranks have together. The distances known by
+  /// now stay.
+  ///
+  /// \returns whether there is one.
+  bool startLater()
+  {
+    if (!this->front_.options.laterSources)
+    {
+      return false;
+    }
+    SourceWindows sources = this->front_.options.laterSources();
+    if (!this->exchange().isTrueAnywhere(!sources.inFaces.empty() || !sources.vertices.empty()))
+    {
+      return false;
+    }
+    this->front_.restart(this->processed_, this->workers_.first().pool);
+    this->processed_.clear();
+    startFront(this->front_, this->workers_.first(), this->ranks_, sources);
+    this->addSources(sources.inFaces);
+    this->addSources(sources.inHalo);
+    this->receive();
+    return true;
   }
 
   /// Processes all batches up to a distance.
@@ -125,14 +149,15 @@ private:
   Exchange& exchange() const { return this->front_.surface.exchange(); }
   VertexStates& vertices() { return this->front_.vertices; }
 
-  void addSourcesInHalo(const std::vector<SourceInFace>& inHalo)
+  // To those that are there, in the order of their faces.
+  void addSources(const std::vector<SourceInFace>& added)
   {
-    if (inHalo.empty())
+    if (added.empty())
     {
-      return; // the others are in the order of their faces
+      return;
     }
     std::vector<SourceInFace>& sources = this->result_.sourcesInFaces;
-    sources.insert(sources.end(), inHalo.begin(), inHalo.end());
+    sources.insert(sources.end(), added.begin(), added.end());
     std::stable_sort(sources.begin(), sources.end());
   }
 
@@ -217,6 +242,10 @@ private:
         this->front_.complete.addAround(halfedge);
       }
       district.withinLimit.clear();
+    }
+    if (this->front_.options.laterSources)
+    {
+      this->processed_.insert(this->processed_.end(), this->batch_.begin(), this->batch_.end());
     }
     this->findNextBatch();
     this->front_.retention.advance(this->state());
@@ -379,6 +408,8 @@ private:
 
   /// The vertices of the current batch.
   std::vector<Id> batch_;
+  /// If sources may start later: the vertices processed since the last start.
+  std::vector<Id> processed_;
   /// The number of vertices that are done.
   std::size_t settled_ = 0;
   /// Districts that work in the current step.
@@ -419,7 +450,10 @@ FrontResult propagate(const MeshPartition& surface, SourceWindows sources,
   }
   Front front(surface, options, retention);
   front.start(std::move(sources));
-  front.advance(options.maximumDistance);
+  do
+  {
+    front.advance(options.maximumDistance);
+  } while (front.startLater());
   return front.finish();
 }
 

@@ -10,6 +10,7 @@
 #include "source/SourceCurve.h"
 #include "source/SourceWindows.h"
 
+#include <functional>
 #include <vector>
 
 namespace geodesic
@@ -45,6 +46,23 @@ struct FrontOptions
   /// Whether windows carry the angle at which their rays leave the source, for
   /// FootFinder::angleOf(). Changes no distance.
   bool keepAngles = false;
+  /// Sources that start later, each as soon as all windows of those before have passed. Called
+  /// until it returns none; if null, there are none. Distances are those to the nearest source.
+  ///
+  /// A later source takes work only where it is the nearest: its windows have to beat the
+  /// distances that vertices know from earlier sources (FacePropagation.h). That is exact. Let s
+  /// be nearer to a point v than all earlier sources, and p a point on the shortest path from s to
+  /// v. Then s is also nearer to p: an earlier source that has as short a path to p would reach v
+  /// by it. So vertices at which the path bends accept s and emit. Let the path cross an edge in
+  /// p, let a be an end of the edge, and b the end of the path's window that is farther from a. By
+  /// way of a, earlier sources reach p, so d(s, p) < known(a) + |a p|. The window is dropped only
+  /// if its distance at b exceeds known(a) + |a b| by more than a tie. But from p to b along the
+  /// edge its distance grows by at most the length. Windows of several sources that meet on one
+  /// halfedge, or at one vertex, are compared with each other as those of one source are: the
+  /// lower one stays.
+  ///
+  /// The retention must take windows in any order of distances: KeepNone or KeepFaces.
+  std::function<SourceWindows()> laterSources;
   /// The result does not depend on its threads. Its watcher hears of the front at least ten times a
   /// second.
   Job job;

@@ -96,6 +96,24 @@ struct FrontContext
     }
   }
 
+  /// Begins again at distance 0, for sources that start later. Where windows came often before says
+  /// nothing about these.
+  ///
+  /// \param processed the vertices processed since the last start.
+  void restart(const std::vector<Id>& processed, WindowPool& pool)
+  {
+    this->key = 0.0;
+    for (District& district : this->districts)
+    {
+      district.schedule.restart();
+      district.passed.letGo([](Id) { return false; }, pool);
+    }
+    for (const Id vertex : processed)
+    {
+      this->vertices[vertex].timesProcessed = 0;
+    }
+  }
+
   District& districtOf(Id vertex) { return this->districts[this->districtNumbers.of(vertex)]; }
 
   /// Whether the known distance shows that no path in the corridor passes the vertex.

@@ -49,6 +49,9 @@ public:
   static void cut(HalfedgeList& come, double length, const WindowRange& bounds,
     WindowListBuilder& builder, WindowPool& pool);
 
+  /// Forgets the windows of halfedges where windows that come can no longer matter.
+  void letGo(const std::function<bool(Id)>& isNeeded, WindowPool& pool);
+
   /// Lets others remember the windows instead: of(halfedge).
   template <typename Of>
   void handOver(const Of& of)
@@ -73,8 +76,6 @@ private:
     WindowBlock windows;
     std::uint32_t lists = 1;
   };
-
-  void letGo(const std::function<bool(Id)>& isNeeded, WindowPool& pool);
 
   std::unordered_map<Id, Passed> lists_;
   std::size_t sizeToLetGo_ = 0;

@@ -97,6 +97,9 @@ public:
   /// Moves on to the batch that begins at a key.
   void moveOn(double least) { this->key_ = std::max(this->key_, least); }
 
+  /// Begins again at key 0, with none behind the front.
+  void restart() { this->key_ = 0.0; }
+
   /// Removes the vertices of the current batch, up to the last key.
   void takeBatch(double last, std::vector<Id>& batch)
   {

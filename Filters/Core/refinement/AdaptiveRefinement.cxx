@@ -16,33 +16,12 @@ namespace geodesic
 namespace
 {
 
-bool isFrozen(const DistanceField& field, Id face)
-{
-  const Triangle& corners = field.mesh().triangle(face);
-  return !field.knowsInside(face) || field.isCovered(face) ||
-    std::any_of(corners.begin(), corners.end(),
-      [&](Id corner) { return !(field.vertexDistances()[corner] < Infinity); });
-}
-
-/// The faces of other ranks are all frozen.
-std::vector<std::uint8_t> findFrozen(const DistanceField& field, const Job& job)
-{
-  std::vector<std::uint8_t> frozen(field.mesh().numberOfFaces());
-  job.part(0.0, 0.0).loop(frozen.size(),
-    [&](std::size_t i)
-    {
-      const Id face = static_cast<Id>(i);
-      frozen[face] = !field.surface().isOwn(face) || isFrozen(field, face) ? 1 : 0;
-    });
-  return frozen;
-}
-
 /// Refines to the smallest tolerance for which there is room, found by trial: in the range between
 /// one without room and one with room, the next is where triangles in inverse proportion to the
 /// tolerance would just fill the room, or the middle of the range's logarithms. A run without room
 /// stops early.
-std::unique_ptr<SurfaceRefiner> refineWithinRoom(const DistanceField& field,
-  const RefinementOptions& options, const std::vector<std::uint8_t>& isFrozen)
+std::unique_ptr<SurfaceRefiner> refineWithinRoom(
+  const DistanceField& field, const RefinementOptions& options)
 {
   constexpr double EnoughOfRoom = 0.97;
   constexpr int MostRuns = 12;
@@ -60,7 +39,7 @@ std::unique_ptr<SurfaceRefiner> refineWithinRoom(const DistanceField& field,
       const double full = fits * best->shareOfRoom();
       next = full > tooSmall ? full : std::sqrt(fits * tooSmall);
     }
-    auto refiner = std::make_unique<SurfaceRefiner>(field, options, isFrozen, next);
+    auto refiner = std::make_unique<SurfaceRefiner>(field, options, next);
     if (!refiner->run())
     {
       tooSmall = next;
@@ -76,7 +55,7 @@ std::unique_ptr<SurfaceRefiner> refineWithinRoom(const DistanceField& field,
   }
   if (!best) // the surface as it is
   {
-    best = std::make_unique<SurfaceRefiner>(field, options, isFrozen, Infinity);
+    best = std::make_unique<SurfaceRefiner>(field, options, Infinity);
     best->run();
   }
   return best;
@@ -111,15 +90,14 @@ void requireUsable(const DistanceField& field, const RefinementOptions& options)
 RefinedMesh refine(const DistanceField& field, const RefinementOptions& options)
 {
   requireUsable(field, options);
-  const std::vector<std::uint8_t> isFrozen = findFrozen(field, options.job);
   const Job output = options.job.part(SurfaceRefiner::JobOfRun, 1.0);
-  auto refiner = std::make_unique<SurfaceRefiner>(field, options, isFrozen, options.tolerance);
+  auto refiner = std::make_unique<SurfaceRefiner>(field, options, options.tolerance);
   if (refiner->run())
   {
     return refiner->result(output);
   }
   refiner.reset();
-  RefinedMesh result = refineWithinRoom(field, options, isFrozen)->result(output);
+  RefinedMesh result = refineWithinRoom(field, options)->result(output);
   result.stoppedAtMaximum = true;
   return result;
 }

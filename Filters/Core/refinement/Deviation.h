@@ -61,6 +61,11 @@ struct Deviation
   double largest() const { return std::max(this->above, this->below); }
   /// Where the larger one is.
   double at() const { return this->above >= this->below ? this->aboveAt : this->belowAt; }
+  /// The same from the other end.
+  Deviation reversed() const
+  {
+    return { this->above, 1.0 - this->aboveAt, this->below, 1.0 - this->belowAt };
+  }
 
   /// Takes the larger values of both.
   void widen(const Deviation& other)

@@ -150,7 +150,7 @@ FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<doub
   return { above + slack.above, below + slack.below };
 }
 
-QuickError quickErrorOfFace(const DistanceField& field, Id face, double tolerance, double known)
+double quickBoundOfFace(const DistanceField& field, Id face, double tolerance, double known)
 {
   const TriangleMesh& mesh = field.mesh();
   const Triangle& corners = mesh.triangle(face);
@@ -160,14 +160,13 @@ QuickError quickErrorOfFace(const DistanceField& field, Id face, double toleranc
   {
     d[k] = field.vertexDistances()[corners[k]];
   }
-  QuickError error;
-  error.rounding = roundingOf(d);
-  const double limit = tolerance - error.rounding;
-  error.bySize = shape.longest() <= limit ? shape.longest() : Infinity;
-  error.byWindows = error.bySize;
-  if (error.bySize <= known || !(shape.area2 > 0.0))
+  const double rounding = roundingOf(d);
+  const double limit = tolerance - rounding;
+  // Distances change by no more than the length moved.
+  const double bySize = shape.longest() <= limit ? shape.longest() : Infinity;
+  if (bySize <= known || !(shape.area2 > 0.0))
   {
-    return error;
+    return bySize + rounding;
   }
   const std::array<Id, 3> halfedges = TriangleMesh::halfedgesOf(face);
   const FaceBounds bounds = boundsOfFace(mesh, face, d,
@@ -180,8 +179,7 @@ QuickError quickErrorOfFace(const DistanceField& field, Id face, double toleranc
     const double atB = source.b[0] * d[0] + source.b[1] * d[1] + source.b[2] * d[2];
     bound = std::max(bound, std::max(atA, atB) + slackOf(shape, d).below);
   }
-  error.byWindows = bound <= limit ? std::min(bound, error.bySize) : error.bySize;
-  return error;
+  return (bound <= limit ? std::min(bound, bySize) : bySize) + rounding;
 }
 
 namespace

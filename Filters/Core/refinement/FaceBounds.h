@@ -52,21 +52,11 @@ GradientSlack slackOf(const TriangleMetric& triangle, double rise1, double rise2
 FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
   const std::array<WindowRuns, 3>& windows, double limit);
 
-/// Bounds of |distance - linear interpolant| in a face of a field that need no envelopes. Infinite
-/// where they exceed the tolerance less the rounding.
-struct QuickError
-{
-  /// The rounding of the distances at the corners, to be added to the bounds.
-  double rounding = 0.0;
-  /// From the face's size: distances change by no more than the length moved, so the longest edge
-  /// is a bound.
-  double bySize = Infinity;
-  /// From the windows and sources, too; not computed if bySize is at most a bound that is known to
-  /// occur anyway.
-  double byWindows = Infinity;
-};
-
-QuickError quickErrorOfFace(const DistanceField& field, Id face, double tolerance, double known);
+/// A bound of |distance - linear interpolant| in a face of a field, with rounding, that needs no
+/// envelopes. Infinite if it exceeds the tolerance.
+///
+/// \param known if the bound from the face's size is at most this, it is not made sharper.
+double quickBoundOfFace(const DistanceField& field, Id face, double tolerance, double known);
 
 /// A passed list, and whether its windows stay in a band around the line between the distances at
 /// the ends of its halfedge. The test takes no square roots; it may fail although they do.

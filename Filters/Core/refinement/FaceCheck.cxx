@@ -10,37 +10,34 @@
 namespace geodesic
 {
 
-void FaceCheck::enter(FaceTriangles& face)
+void FaceCheck::enter(const FaceTriangles& face)
 {
   this->face_ = &face;
   this->inside_.clear();
   this->distance_.enter(face.face());
-  this->sides_.enter(face);
 }
 
-SideDeviation FaceCheck::deviationOf(Id a, Id b)
+Deviation FaceCheck::deviationOf(Id a, Id b)
 {
-  if (this->face_->sideWith(a, b) == 3)
+  if (this->face_->sideWith(a, b) < 3)
   {
-    return { this->measured(std::min(a, b), std::max(a, b)), b < a };
+    const PieceOfEdge piece = this->faces_.pieceBetween(*this->face_, a, b);
+    const Deviation& deviation = this->faces_.edges[piece.edge].pieces[piece.piece];
+    return piece.isReversed ? deviation.reversed() : deviation;
   }
-  const PieceOfEdge piece = this->sides_.pieceBetween(a, b);
-  return { this->sides_.deviationOf(piece), piece.isReversed };
-}
-
-// From the lower point to the higher one, to the last digit the same from both sides.
-const Deviation& FaceCheck::measured(Id a, Id b)
-{
+  // From the lower point to the higher one, to the last digit the same from both sides.
+  const Id low = std::min(a, b);
+  const Id high = std::max(a, b);
   const auto [found, isNew] =
-    this->inside_.emplace((static_cast<std::uint64_t>(a) << 32) | b, Deviation());
+    this->inside_.emplace((static_cast<std::uint64_t>(low) << 32) | high, Deviation());
   if (isNew)
   {
-    const FaceTriangles::Point& begin = this->face_->points()[a];
-    const FaceTriangles::Point& end = this->face_->points()[b];
+    const FaceTriangles::Point& begin = this->face_->points()[low];
+    const FaceTriangles::Point& end = this->face_->points()[high];
     found->second = largestDeviation(this->envelope_.along(this->distance_, begin.place, end.place),
       0.0, norm(end.place - begin.place), begin.here, end.here);
   }
-  return found->second;
+  return b < a ? found->second.reversed() : found->second;
 }
 
 // In an approximate field the faces around a point differ by what merging has changed, which no
@@ -59,7 +56,7 @@ FaceCheck::Result FaceCheck::of(const Triangle& corners, bool isTight)
     linear.values[k] = point.here;
     largest = std::max(largest, point.distance);
     difference = std::max(difference, std::abs(point.here - point.distance));
-    onSides.widen(this->deviationOf(corners[k], corners[(k + 1) % 3]).deviation);
+    onSides.widen(this->deviationOf(corners[k], corners[(k + 1) % 3]));
   }
   const double rounding = tolerance::FaceRounding * largest;
   const double limit = std::max(this->tolerance_ - difference - rounding, 0.5 * this->tolerance_);

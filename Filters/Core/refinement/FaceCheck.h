@@ -4,7 +4,7 @@
 
 #include "field/FaceDistance.h"
 #include "field/SegmentEnvelope.h"
-#include "refinement/FaceSides.h"
+#include "refinement/RefinedFaces.h"
 #include "refinement/TriangleError.h"
 
 #include <cstdint>
@@ -12,17 +12,6 @@
 
 namespace geodesic
 {
-
-/// The deviation along a side of a triangle.
-struct SideDeviation
-{
-  const Deviation& deviation;
-  /// Whether its places run from the second corner to the first.
-  bool isReversed;
-
-  /// Where it is largest, from the first corner.
-  double at() const { return this->isReversed ? 1.0 - this->deviation.at() : this->deviation.at(); }
-};
 
 /// Compares the triangles of a face under refinement with the distance. One object serves one face
 /// after another and reuses its memory.
@@ -41,33 +30,27 @@ public:
 
   /// \param faces must outlive this.
   FaceCheck(const RefinedFaces& faces, double tolerance)
-    : tolerance_(tolerance)
+    : faces_(faces)
+    , tolerance_(tolerance)
     , error_(faces.field)
     , distance_(faces.field)
-    , sides_(faces)
   {
   }
 
-  void enter(FaceTriangles& face);
-  /// Puts the points that are new on the edges into the face.
-  void takePoints() { this->sides_.takePoints(this->distance_); }
-
+  void enter(const FaceTriangles& face);
   const FaceDistance& distance() const { return this->distance_; }
-  const FaceSides& sides() const { return this->sides_; }
   /// The deviation along a side between two points of the face.
-  SideDeviation deviationOf(Id a, Id b);
+  Deviation deviationOf(Id a, Id b);
   /// \param isTight whether the bound has to be close to a difference that does occur, also over
   ///        the tolerance.
   Result of(const Triangle& corners, bool isTight);
 
 private:
-  const Deviation& measured(Id a, Id b);
-
+  const RefinedFaces& faces_;
   double tolerance_;
   TriangleError error_;
   SegmentEnvelope envelope_;
   FaceDistance distance_;
-  FaceSides sides_;
   const FaceTriangles* face_ = nullptr;
   /// The deviations along sides inside the face, from the lower point to the higher one.
   std::unordered_map<std::uint64_t, Deviation> inside_;

@@ -78,7 +78,7 @@ bool FaceRefiner::refine(FaceTriangles& face, std::uint64_t mostParts, RegionsOf
   this->requests_ = &requests;
   this->open_ = {};
   this->enter(face);
-  this->check_.takePoints();
+  this->faces_.takePoints(face, this->check_.distance());
   face.flipChanged();
   face.takeChanged();
   for (Id part = 0; part < face.numberOfParts(); ++part)
@@ -197,8 +197,8 @@ void FaceRefiner::mendError(const OpenPart& open)
   double at = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const SideDeviation side = this->check_.deviationOf(part.corners[k], part.corners[(k + 1) % 3]);
-    const double deviation = std::min(side.deviation.largest(), lengths[k]);
+    const Deviation side = this->check_.deviationOf(part.corners[k], part.corners[(k + 1) % 3]);
+    const double deviation = std::min(side.largest(), lengths[k]);
     if (deviation > largest)
     {
       worst = k;
@@ -213,7 +213,7 @@ void FaceRefiner::mendError(const OpenPart& open)
   else if (part.across[worst] == NoId)
   {
     const PieceOfEdge piece =
-      this->check_.sides().pieceBetween(part.corners[worst], part.corners[(worst + 1) % 3]);
+      this->faces_.pieceBetween(*this->face_, part.corners[worst], part.corners[(worst + 1) % 3]);
     this->request(open, piece, splitPosition(piece.isReversed ? 1.0 - at : at));
   }
   else if (!this->flipIfBoth(open.part, worst))
@@ -252,7 +252,8 @@ void FaceRefiner::mendShape(const OpenPart& open)
   {
     return; // no piece may be shorter than the shortest side
   }
-  const PieceOfEdge piece = this->check_.sides().pieceBetween(part.corners[k], part.corners[next]);
+  const PieceOfEdge piece =
+    this->faces_.pieceBetween(*this->face_, part.corners[k], part.corners[next]);
   const double weight = way / lengths[k];
   this->request(open, piece, isNearBegin != piece.isReversed ? weight : 1.0 - weight);
 }
@@ -294,7 +295,7 @@ void FaceRefiner::halveLongest(const OpenPart& open)
     if (other == NoId)
     {
       this->request(
-        open, this->check_.sides().pieceBetween(p.corners[k], p.corners[(k + 1) % 3]), 0.5);
+        open, this->faces_.pieceBetween(*this->face_, p.corners[k], p.corners[(k + 1) % 3]), 0.5);
       return;
     }
     const auto there = lengthsOf(this->face_->places(this->face_->parts()[other].corners));
@@ -334,7 +335,7 @@ void FaceRefiner::splitInside(const OpenPart& open, Id part, std::size_t k, doub
 // the longest piece beside it is to be halved instead.
 bool FaceRefiner::asksBeside(const OpenPart& open, const FaceTriangles::Point& point, double length)
 {
-  const FaceShape& shape = this->mesh_.shape(this->face_->face());
+  const FaceShape& shape = this->faces_.field.mesh().shape(this->face_->face());
   const double away = DistanceFromSides * 0.5 * length;
   PieceOfEdge beside;
   double longest = 2.0 * away; // shorter ones do no harm
@@ -342,8 +343,8 @@ bool FaceRefiner::asksBeside(const OpenPart& open, const FaceTriangles::Point& p
   {
     if (point.weights[(side + 2) % 3] * shape.area2 / shape.length[side] < away)
     {
-      const PieceOfEdge piece = this->check_.sides().pieceAt(side, point.place);
-      const double lengthOfPiece = this->edges_.lengthOfPiece(piece.edge, piece.piece);
+      const PieceOfEdge piece = this->faces_.pieceAt(*this->face_, side, point.place);
+      const double lengthOfPiece = this->faces_.edges.lengthOfPiece(piece.edge, piece.piece);
       if (lengthOfPiece > longest)
       {
         beside = piece;

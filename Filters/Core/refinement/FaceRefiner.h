@@ -47,8 +47,7 @@ class FaceRefiner
 public:
   /// \param faces must outlive this. Their edges do not change while faces are refined.
   FaceRefiner(const RefinedFaces& faces, double tolerance)
-    : mesh_(faces.field.mesh())
-    , edges_(faces.edges)
+    : faces_(faces)
     , check_(faces, tolerance)
   {
   }
@@ -85,8 +84,7 @@ private:
   void request(const OpenPart& open, const PieceOfEdge& piece, double weight);
   bool mayImproveShape() const;
 
-  const TriangleMesh& mesh_;
-  const CutEdges& edges_;
+  const RefinedFaces& faces_;
   FaceCheck check_;
 
   // The face that is refined.

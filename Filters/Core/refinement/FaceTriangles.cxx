@@ -10,9 +10,11 @@
 namespace geodesic
 {
 
-FaceTriangles::FaceTriangles(Id face, const std::array<Point, 3>& corners)
+FaceTriangles::FaceTriangles(
+  Id face, const std::array<Point, 3>& corners, const std::array<Side, 3>& sides)
   : face_(face)
   , points_(corners.begin(), corners.end())
+  , sides_(sides)
 {
   for (std::size_t k = 0; k < 3; ++k)
   {

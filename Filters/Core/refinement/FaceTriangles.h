@@ -3,6 +3,7 @@
 #define geodesic_FaceTriangles_h
 
 #include "mesh/HalfedgeFrame.h"
+#include "mesh/SurfacePoint.h"
 
 #include <array>
 #include <cstdint>
@@ -27,7 +28,8 @@ public:
     /// As in the result; and according to this face, which differs in an approximate field.
     double distance;
     double here;
-    /// Of a vertex or a point on an edge, see PointOnEdge; NoId inside the face.
+    /// Of a vertex or a point on an edge, see PointOnEdge; NoId inside the face, until the result
+    /// is written.
     Id number = NoId;
     /// The points of this face between which it was put, and the fraction of the way: inside only.
     std::array<Id, 2> parents = { NoId, NoId };
@@ -52,15 +54,31 @@ public:
     Id version = 0;
   };
 
-  FaceTriangles(Id face, const std::array<Point, 3>& corners);
+  /// A side of the face as an edge of the input (CutEdges), which may run the other way.
+  struct Side
+  {
+    Id edge;
+    bool isReversed;
+  };
+
+  FaceTriangles(
+    Id face, const std::array<Point, 3>& corners, const std::array<Side, 3>& sides = {});
 
   Id face() const { return this->face_; }
   const std::vector<Point>& points() const { return this->points_; }
+  Point& point(Id point) { return this->points_[point]; }
   const std::vector<Part>& parts() const { return this->parts_; }
   Part& part(Id part) { return this->parts_[part]; }
   Id numberOfParts() const { return static_cast<Id>(this->parts_.size()); }
   std::array<Vec2, 3> places(const Triangle& corners) const;
+  /// Where a point inside the face is on the surface.
+  SurfacePoint placeOf(Id point) const
+  {
+    const Barycentric& weights = this->points_[point].weights;
+    return SurfacePoint::inFace(this->face_, weights[1], weights[2]);
+  }
 
+  const Side& side(std::size_t side) const { return this->sides_[side]; }
   /// The number of points on a side, without its ends.
   Id pointsOn(std::size_t side) const { return this->pointsOn_[side]; }
   /// The number of points that shapes alone have asked for.
@@ -93,6 +111,7 @@ private:
   Id face_;
   std::vector<Point> points_;
   std::vector<Part> parts_;
+  std::array<Side, 3> sides_;
   std::array<Id, 3> pointsOn_{};
   Id pointsForShapes_ = 0;
   std::vector<Id> changed_;

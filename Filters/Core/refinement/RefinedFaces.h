@@ -2,64 +2,62 @@
 #ifndef geodesic_RefinedFaces_h
 #define geodesic_RefinedFaces_h
 
-#include "field/DistanceField.h"
+#include "field/FaceDistance.h"
 #include "refinement/CutEdges.h"
 #include "refinement/FaceTriangles.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace geodesic
 {
 
+/// A piece of an edge that is a piece of a side of a face.
+struct PieceOfEdge
+{
+  Id edge = NoId;
+  Id piece = NoId;
+  /// Whether the edge runs against the face's orientation, or from the second of two points to the
+  /// first.
+  bool isReversed = false;
+};
+
 /// The faces of this rank under refinement. Each face is triangulated by itself; what it shares
 /// with others are the points on its edges.
-struct RefinedFaces
+class RefinedFaces
 {
-  /// All arguments must outlive this.
-  ///
-  /// \param isFrozen for each face, not 0 if this rank does not refine it.
-  RefinedFaces(const DistanceField& refined, const std::vector<std::uint8_t>& isFrozen)
-    : field(refined)
-    , edges(refined.mesh())
-    , ofFace(refined.mesh().numberOfFaces(), NoId)
-    , isFrozen_(isFrozen)
-  {
-  }
-
-  bool isFrozen(Id face) const { return this->isFrozen_[face] != 0; }
-
-  /// Begins the triangulation of a face; its edges get numbers.
-  void open(Id face)
-  {
-    const TriangleMesh& mesh = this->field.mesh();
-    const Id longest = longestHalfedge(mesh, face); // the plane of FaceDistance
-    std::array<FaceTriangles::Point, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      corners[k].weights = cornerWeights(k);
-      corners[k].place = inHalfedgeFrame(mesh, longest, corners[k].weights);
-      corners[k].number = mesh.triangle(face)[k];
-      corners[k].distance = this->field.vertexDistances()[corners[k].number];
-      corners[k].here = corners[k].distance; // a corner is among its faces' candidates
-      this->edges.ensure(TriangleMesh::halfedgeOf(face, k));
-    }
-    this->ofFace[face] = static_cast<Id>(this->open_.size());
-    this->open_.emplace_back(face, corners);
-  }
-  bool isOpen(Id face) const { return this->ofFace[face] != NoId; }
-  FaceTriangles& triangles(Id face) { return this->open_[this->ofFace[face]]; }
-  const FaceTriangles& triangles(Id face) const { return this->open_[this->ofFace[face]]; }
-  const std::vector<FaceTriangles>& openFaces() const { return this->open_; }
-  std::vector<FaceTriangles>& openFaces() { return this->open_; }
+public:
+  /// \param refined must outlive this.
+  explicit RefinedFaces(const DistanceField& refined, const Job& job = {});
 
   const DistanceField& field;
   CutEdges edges;
-  /// For each face its number among the open ones; NoId where none is needed.
-  std::vector<Id> ofFace;
+
+  /// Whether this rank does not refine a face: it is another rank's or covered, or the field does
+  /// not know all of it.
+  bool isFrozen(Id face) const { return this->isFrozen_[face] != 0; }
+  /// Begins the triangulation of a face; its edges get numbers.
+  void open(Id face);
+  bool isOpen(Id face) const { return this->ofFace_[face] != NoId; }
+  FaceTriangles& triangles(Id face) { return this->open_[this->ofFace_[face]]; }
+  const FaceTriangles& triangles(Id face) const { return this->open_[this->ofFace_[face]]; }
+  std::vector<FaceTriangles>& openFaces() { return this->open_; }
+
+  /// Puts the points that are new on a face's edges into the face.
+  void takePoints(FaceTriangles& face, const FaceDistance& distance) const;
+  /// The piece between two neighbouring points of one side of a face.
+  PieceOfEdge pieceBetween(const FaceTriangles& face, Id a, Id b) const;
+  /// The piece of a side that is closest to a place.
+  PieceOfEdge pieceAt(const FaceTriangles& face, std::size_t side, Vec2 place) const;
 
 private:
-  const std::vector<std::uint8_t>& isFrozen_;
+  void takePoints(FaceTriangles& face, std::size_t side, const FaceDistance& distance) const;
+  FaceTriangles::Point pointOnEdge(std::size_t side, Id number, const FaceDistance& distance) const;
+
+  /// For each face its number among the open ones; NoId where none is needed.
+  std::vector<Id> ofFace_;
+  std::vector<std::uint8_t> isFrozen_;
   std::vector<FaceTriangles> open_;
 };
 

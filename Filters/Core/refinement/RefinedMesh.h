@@ -2,7 +2,7 @@
 #ifndef geodesic_RefinedMesh_h
 #define geodesic_RefinedMesh_h
 
-#include "Types.h"
+#include "mesh/MeshPartition.h"
 #include "mesh/SurfacePoint.h"
 
 #include <array>
@@ -26,6 +26,7 @@ struct RefinedPoint
   double distance;
 };
 
+/// A refined surface, a part of it, or one refined face of any rank.
 struct RefinedMesh
 {
   /// The points below this number are the caller's, unchanged.
@@ -44,7 +45,38 @@ struct RefinedMesh
   /// With regions: faces that a border passes, but in which the field knows no distances. A solve
   /// that keeps their windows (solveForRefinement) may allow to split them.
   std::vector<Id> unknownAtBorders;
+  /// The last points may be copies of points of any rank, without places: where the originals are
+  /// among the points of their rank's mesh.
+  std::vector<RankAddress> copied;
+
+  const RefinedPoint& pointAt(Id number) const
+  {
+    return this->points[number - this->numberOfInputPoints];
+  }
+  std::size_t numberOfPointsWithPlaces() const { return this->points.size() - this->copied.size(); }
 };
+
+/// The number that a point has elsewhere, where an added point comes after its parents.
+///
+/// \param numbers those known, at first those of the input's points; this adds to them.
+/// \param pointAt (number): the added point.
+/// \param add (point with parents elsewhere, number): adds it there, and returns its number.
+template <typename PointAt, typename Add>
+Id numberElsewhere(
+  Id number, std::unordered_map<Id, Id>& numbers, const PointAt& pointAt, const Add& add)
+{
+  const auto known = numbers.find(number);
+  if (known != numbers.end())
+  {
+    return known->second;
+  }
+  RefinedPoint point = pointAt(number);
+  for (Id& parent : point.parents)
+  {
+    parent = numberElsewhere(parent, numbers, pointAt, add);
+  }
+  return numbers[number] = add(point, number);
+}
 
 /// Numbers the points that split edges of a refined mesh, one for each pair of parents: if several
 /// of the caller's points are one vertex, as along a seam, a split edge has a point for each pair

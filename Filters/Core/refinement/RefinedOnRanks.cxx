@@ -16,40 +16,28 @@ namespace geodesic
 namespace
 {
 
-/// The number of a point in a refined face, to which this adds it, after its parents, if it is new.
-///
-/// \param numbers those known.
-Id numberIn(
-  RefinedFace& face, std::unordered_map<Id, Id>& numbers, const RefinedMesh& refined, Id point)
+/// \param corners the caller's points at the face's corners.
+/// \param rank this one.
+RefinedMesh refinedFace(const RefinedMesh& refined, Id id, const Triangle& corners, int rank)
 {
-  const auto known = numbers.find(point);
-  if (known != numbers.end())
-  {
-    return known->second;
-  }
-  const Id added = point - refined.numberOfInputPoints;
-  RefinedPoint copy = refined.points[added];
-  for (Id& parent : copy.parents)
-  {
-    parent = numberIn(face, numbers, refined, parent);
-  }
-  copy.place = {};
-  face.points.push_back(copy);
-  face.numbersThere.push_back(added);
-  return numbers[point] = 2 + static_cast<Id>(face.points.size());
-}
-
-RefinedFace refinedFace(const RefinedMesh& refined, Id id, const Triangle& corners)
-{
-  RefinedFace face;
+  RefinedMesh face;
+  face.numberOfInputPoints = 3;
   std::unordered_map<Id, Id> numbers = { { corners[0], 0 }, { corners[1], 1 }, { corners[2], 2 } };
+  const auto add = [&](RefinedPoint point, Id number)
+  {
+    point.place = {};
+    face.points.push_back(point);
+    face.copied.push_back({ rank, number - refined.numberOfInputPoints });
+    return 2 + static_cast<Id>(face.points.size());
+  };
   const auto [first, last] = std::equal_range(refined.faces.begin(), refined.faces.end(), id);
   for (auto part = first; part != last; ++part)
   {
     Triangle t = refined.triangles[static_cast<std::size_t>(part - refined.faces.begin())];
     for (Id& corner : t)
     {
-      corner = numberIn(face, numbers, refined, corner);
+      corner = numberElsewhere(
+        corner, numbers, [&](Id number) { return refined.pointAt(number); }, add);
     }
     face.triangles.push_back(t);
   }
@@ -58,29 +46,33 @@ RefinedFace refinedFace(const RefinedMesh& refined, Id id, const Triangle& corne
 
 } // anonymous namespace
 
-std::vector<RefinedFace> findRefinedFaces(const std::vector<RankAddress>& faces,
+std::vector<RefinedMesh> findRefinedFaces(const std::vector<RankAddress>& faces,
   const MeshPartition& part, const RefinedMesh& refined, const std::vector<Triangle>& cornerPoints)
 {
   Questions questions(part.exchange());
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    questions.ask(faces[i].rank, i, faces[i].id);
+    if (faces[i].id != NoId)
+    {
+      questions.ask(faces[i].rank, i, faces[i].id);
+    }
   }
-  std::vector<RefinedFace> result(faces.size());
+  std::vector<RefinedMesh> result(faces.size());
   questions.exchangeAnswers(
     [&](MessageReader& question, Message& answer)
     {
       const Id id = question.get<Id>();
-      const RefinedFace face = refinedFace(
-        refined, id, cornerPoints.empty() ? part.mesh().triangle(id) : cornerPoints[id]);
+      const RefinedMesh face = refinedFace(refined, id,
+        cornerPoints.empty() ? part.mesh().triangle(id) : cornerPoints[id], part.exchange().rank());
       putAll(answer, face.points);
-      putAll(answer, face.numbersThere);
+      putAll(answer, face.copied);
       putAll(answer, face.triangles);
     },
     [&](std::size_t i, MessageReader& answer)
     {
+      result[i].numberOfInputPoints = 3;
       result[i].points = answer.getAll<RefinedPoint>();
-      result[i].numbersThere = answer.getAll<Id>();
+      result[i].copied = answer.getAll<RankAddress>();
       result[i].triangles = answer.getAll<Triangle>();
     });
   return result;
@@ -92,28 +84,28 @@ namespace
 /// A place on an edge, equal on all ranks that have one of its faces: the face with the edge's
 /// lowest halfedge, the halfedge's number there, and the fraction along it, which refinement
 /// computes from the same splits everywhere.
-using PlaceOnSeam = std::tuple<RankAddress, Id, double>;
-
-/// What a rank that knows a face at a place sends to the others there.
-struct PointMessage
+struct PlaceOnSeam
 {
   RankAddress face;
   Id halfedge;
-  Id point;
   double fraction;
 
-  PlaceOnSeam place() const { return { this->face, this->halfedge, this->fraction }; }
+  bool operator<(const PlaceOnSeam& other) const
+  {
+    return std::tie(this->face, this->halfedge, this->fraction) <
+      std::tie(other.face, other.halfedge, other.fraction);
+  }
 };
 
 /// \param place on an edge, or at a vertex, which all ranks know by its global id.
-PointMessage messageOf(const MeshPartition& part, const SurfacePoint& place, Id point)
+PlaceOnSeam onSeam(const MeshPartition& part, const SurfacePoint& place)
 {
   if (place.kind == SurfacePoint::Kind::Vertex)
   {
-    return { { -1, part.globalId(place.id) }, 0, point, 0.0 };
+    return { { -1, part.globalId(place.id) }, 0, 0.0 };
   }
   return { part.addressOf(TriangleMesh::faceOf(place.id)), TriangleMesh::indexInFace(place.id),
-    point, place.u };
+    place.u };
 }
 
 /// This rank's points at one place; there are several if a vertex has several of the caller's
@@ -155,15 +147,16 @@ std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& po
     {
       continue;
     }
-    const PointMessage sent = messageOf(part, place, i);
-    PointsAtPlace& at = places[sent.place()];
+    const PlaceOnSeam onEdge = onSeam(part, place);
+    PointsAtPlace& at = places[onEdge];
     at.here.push_back(i);
     if (isKnown && at.there.id == NoId)
     {
       at.there = { part.exchange().rank(), i };
       for (const int rank : otherRanks)
       {
-        put(messages[rankIndex(rank)], sent);
+        put(messages[rankIndex(rank)], onEdge);
+        put(messages[rankIndex(rank)], i);
       }
     }
   }
@@ -181,11 +174,11 @@ SeamPoints findSeamPoints(const std::vector<RefinedPoint>& points, std::size_t c
   readEach(exchange.step(std::move(messages)),
     [&](int rank, MessageReader& reader)
     {
-      const auto sent = reader.get<PointMessage>();
-      const auto found = places.find(sent.place());
+      const auto found = places.find(reader.get<PlaceOnSeam>());
+      const Id point = reader.get<Id>();
       if (found != places.end() && rank < found->second.there.rank)
       {
-        found->second.there = { rank, sent.point };
+        found->second.there = { rank, point };
       }
     });
   SeamPoints result;

@@ -12,25 +12,16 @@
 namespace geodesic
 {
 
-/// The refinement of one face, whichever rank owns it: another triangle on the same vertices must
-/// be split alike to fit its neighbours.
-struct RefinedFace
-{
-  /// The added points, each after its parents. Here and in the triangles, the face's corners are
-  /// numbered 0, 1, 2, and these points follow. Their places are not set.
-  std::vector<RefinedPoint> points;
-  /// The number of each of these points in the owner's RefinedMesh::points.
-  std::vector<Id> numbersThere;
-  std::vector<Triangle> triangles;
-};
-
-/// A collective call of all ranks, which finds out how faces were refined.
+/// A collective call of all ranks, which finds out how faces were refined: another triangle on the
+/// same vertices, or beside a face, must be split alike to fit its neighbours.
 ///
-/// \param faces the faces that this rank needs, by their owners, possibly itself; in any order.
+/// \param faces those that this rank needs, by their owners, possibly itself, in any order; NoId
+///        where none is needed.
 /// \param refined this rank's result of refine().
 /// \param cornerPoints those of the refinement's options.
-/// \returns one element for each of the faces.
-std::vector<RefinedFace> findRefinedFaces(const std::vector<RankAddress>& faces,
+/// \returns the points and triangles of each of the faces. The face's corners are numbered 0, 1, 2,
+///          and the points, all of them copies, follow.
+std::vector<RefinedMesh> findRefinedFaces(const std::vector<RankAddress>& faces,
   const MeshPartition& part, const RefinedMesh& refined, const std::vector<Triangle>& cornerPoints);
 
 /// Points that refinement has added on edges shared by faces of several ranks. Each of these ranks

@@ -13,104 +13,66 @@ namespace geodesic
 namespace
 {
 
-/// The numbers of a face's points among those of all faces.
-std::vector<Id> numbersIn(const FaceTriangles& face, Id firstInside)
-{
-  std::vector<Id> numbers;
-  numbers.reserve(face.points().size());
-  for (const FaceTriangles::Point& point : face.points())
-  {
-    numbers.push_back(point.number == NoId ? firstInside++ : point.number);
-  }
-  return numbers;
-}
-
-/// All added points, each after its parents, with the numbers of the mesh's vertices.
-std::vector<RefinedPoint> addedPoints(const RefinedFaces& faces, const std::vector<Id>& firstInside)
+/// All added points, each after its parents, with the numbers of the mesh's vertices. Points inside
+/// faces get theirs.
+std::vector<RefinedPoint> numberPoints(RefinedFaces& faces)
 {
   const TriangleMesh& mesh = faces.field.mesh();
   std::vector<RefinedPoint> points;
+  const auto next = [&] { return mesh.numberOfVertices() + static_cast<Id>(points.size()); };
   for (const PointOnEdge& point : faces.edges.points())
   {
-    const Id number = mesh.numberOfVertices() + static_cast<Id>(points.size());
-    const SurfacePoint place = faces.edges.placeOf(number);
+    const SurfacePoint place = faces.edges.placeOf(next());
     points.push_back({ point.parents, point.weight, place, position(mesh, place), point.distance });
   }
-  for (std::size_t i = 0; i < faces.openFaces().size(); ++i)
+  for (FaceTriangles& face : faces.openFaces())
   {
-    const FaceTriangles& face = faces.openFaces()[i];
-    const std::vector<Id> numbers = numbersIn(face, firstInside[i]);
-    for (const FaceTriangles::Point& point : face.points())
+    for (Id i = 0; i < face.points().size(); ++i)
     {
+      FaceTriangles::Point& point = face.point(i);
       if (point.number == NoId)
       {
-        const SurfacePoint place =
-          SurfacePoint::inFace(face.face(), point.weights[1], point.weights[2]);
-        points.push_back({ { numbers[point.parents[0]], numbers[point.parents[1]] }, point.weight,
-          place, position(mesh, place), point.distance });
+        point.number = next();
+        const SurfacePoint place = face.placeOf(i);
+        points.push_back(
+          { { face.point(point.parents[0]).number, face.point(point.parents[1]).number },
+            point.weight, place, position(mesh, place), point.distance });
       }
     }
   }
   return points;
 }
 
-/// The caller's numbers for the points of a refined mesh, where several may be one vertex.
-class CallersNumbers
+/// Gives points the caller's numbers, where several of the caller's points may be one vertex. Added
+/// points are numbered in the order in which triangles reach them.
+void useCallersPoints(
+  const TriangleMesh& mesh, const std::vector<Triangle>& atCorners, RefinedMesh& result)
 {
-public:
-  CallersNumbers(const TriangleMesh& mesh, const std::vector<Triangle>& atCorners,
-    std::vector<RefinedPoint> points, RefinedMesh& result)
-    : mesh_(mesh)
-    , atCorners_(atCorners)
-    , points_(std::move(points))
-    , splits_(result)
+  const std::vector<RefinedPoint> points = std::exchange(result.points, {});
+  const auto pointAt = [&](Id point) { return points[point - mesh.numberOfVertices()]; };
+  SplitPointNumbering splits(result);
+  const auto add = [&](const RefinedPoint& point, Id) { return splits.numberOf(point); };
+  std::unordered_map<Id, Id> numbers; // in one face, whose triangles are consecutive
+  for (std::size_t i = 0; i < result.triangles.size(); ++i)
   {
-  }
-
-  /// Requires that the triangles of a face are consecutive.
-  Triangle of(Id face, const Triangle& corners)
-  {
-    if (face != this->face_)
+    const Id face = result.faces[i];
+    if (i == 0 || face != result.faces[i - 1])
     {
-      this->face_ = face;
-      this->inFace_.clear();
+      numbers.clear();
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        numbers.emplace(mesh.triangle(face)[k], atCorners[face][k]);
+      }
     }
-    return { this->of(corners[0]), this->of(corners[1]), this->of(corners[2]) };
-  }
-
-private:
-  Id of(Id point)
-  {
-    if (point < this->mesh_.numberOfVertices())
+    for (Id& corner : result.triangles[i])
     {
-      const Triangle& corners = this->mesh_.triangle(this->face_);
-      const std::size_t k = point == corners[0] ? 0 : point == corners[1] ? 1 : 2;
-      return this->atCorners_[this->face_][k];
+      corner = numberElsewhere(corner, numbers, pointAt, add);
     }
-    const auto known = this->inFace_.find(point);
-    if (known != this->inFace_.end())
-    {
-      return known->second;
-    }
-    RefinedPoint added = this->points_[point - this->mesh_.numberOfVertices()];
-    added.parents = { this->of(added.parents[0]), this->of(added.parents[1]) };
-    const Id number = this->splits_.numberOf(added);
-    this->inFace_.emplace(point, number);
-    return number;
   }
-
-  const TriangleMesh& mesh_;
-  const std::vector<Triangle>& atCorners_;
-  std::vector<RefinedPoint> points_;
-  SplitPointNumbering splits_;
-  /// The numbers found in the current face: a point's ancestors occur many times.
-  std::unordered_map<Id, Id> inFace_;
-  Id face_ = NoId;
-};
+}
 
 /// Writes all triangles in parallel, with the numbers of the mesh's vertices.
-void writeTriangles(const RefinedFaces& faces, const std::vector<Id>& firstInside, const Job& job,
-  RefinedMesh& result)
+void writeTriangles(const RefinedFaces& faces, const Job& job, RefinedMesh& result)
 {
   const MeshPartition& surface = faces.field.surface();
   const Id first = surface.firstOwnFace();
@@ -127,7 +89,7 @@ void writeTriangles(const RefinedFaces& faces, const std::vector<Id>& firstInsid
       for (std::size_t i = begin; i < end; ++i)
       {
         const Id face = first + static_cast<Id>(i);
-        appendTriangles(faces, face, firstInside, range.triangles);
+        appendTriangles(faces, face, range.triangles);
         range.faces.resize(range.triangles.size(), face);
       }
       return range;
@@ -141,32 +103,16 @@ void writeTriangles(const RefinedFaces& faces, const std::vector<Id>& firstInsid
 
 } // anonymous namespace
 
-std::vector<Id> firstPointsInside(const RefinedFaces& faces)
-{
-  std::vector<Id> first;
-  Id next = faces.field.mesh().numberOfVertices() + static_cast<Id>(faces.edges.points().size());
-  for (const FaceTriangles& face : faces.openFaces())
-  {
-    first.push_back(next);
-    for (const FaceTriangles::Point& point : face.points())
-    {
-      next += point.number == NoId ? 1 : 0;
-    }
-  }
-  return first;
-}
-
-void appendTriangles(const RefinedFaces& faces, Id face, const std::vector<Id>& firstInside,
-  std::vector<Triangle>& triangles)
+void appendTriangles(const RefinedFaces& faces, Id face, std::vector<Triangle>& triangles)
 {
   if (faces.isOpen(face))
   {
     const FaceTriangles& cut = faces.triangles(face);
-    const std::vector<Id> numbers = numbersIn(cut, firstInside[faces.ofFace[face]]);
     for (const FaceTriangles::Part& part : cut.parts())
     {
-      const Triangle& c = part.corners;
-      triangles.push_back({ numbers[c[0]], numbers[c[1]], numbers[c[2]] });
+      const auto& [a, b, c] = part.corners;
+      triangles.push_back(
+        { cut.points()[a].number, cut.points()[b].number, cut.points()[c].number });
     }
     return;
   }
@@ -190,28 +136,25 @@ void appendTriangles(const RefinedFaces& faces, Id face, const std::vector<Id>& 
     [&](Id point) { return position(mesh, faces.edges.placeOf(point)); }, triangles);
 }
 
-RefinedMesh writeOutput(
-  const RefinedFaces& faces, const RefinementOptions& options, Id numberOfPoints, const Job& job)
+// The last vertices may be other ranks' only. Then they are no points of the caller, and added
+// points take their numbers.
+RefinedMesh writeOutput(RefinedFaces& faces, const RefinementOptions& options, const Job& job)
 {
   const TriangleMesh& mesh = faces.field.mesh();
-  const std::vector<Id> firstInside = firstPointsInside(faces);
+  const bool areVertices = options.cornerPoints.empty() && mesh.numberOfFaces() > 0;
   RefinedMesh result;
-  result.numberOfInputPoints = numberOfPoints;
-  writeTriangles(faces, firstInside, job, result);
-  std::vector<RefinedPoint> points = addedPoints(faces, firstInside);
-  if (!options.cornerPoints.empty())
+  result.numberOfInputPoints =
+    areVertices ? faces.field.surface().numberOfOwnVertices() : options.numberOfPoints;
+  result.points = numberPoints(faces);
+  writeTriangles(faces, job, result);
+  if (!areVertices)
   {
-    // Added points are numbered in the order in which triangles reach them.
-    CallersNumbers numbers(mesh, options.cornerPoints, std::move(points), result);
-    for (std::size_t i = 0; i < result.triangles.size(); ++i)
-    {
-      result.triangles[i] = numbers.of(result.faces[i], result.triangles[i]);
-    }
+    useCallersPoints(mesh, options.cornerPoints, result);
     return result;
   }
-  const Id left = mesh.numberOfVertices() - numberOfPoints;
-  const auto renumber = [&](Id& point) { point -= point < numberOfPoints ? 0 : left; };
-  for (RefinedPoint& point : points)
+  const Id left = mesh.numberOfVertices() - result.numberOfInputPoints;
+  const auto renumber = [&](Id& point) { point -= point < result.numberOfInputPoints ? 0 : left; };
+  for (RefinedPoint& point : result.points)
   {
     std::for_each(point.parents.begin(), point.parents.end(), renumber);
   }
@@ -219,7 +162,6 @@ RefinedMesh writeOutput(
   {
     std::for_each(result.triangles[i].begin(), result.triangles[i].end(), renumber);
   }
-  result.points = std::move(points);
   return result;
 }
 

@@ -9,21 +9,12 @@ namespace geodesic
 {
 
 /// Appends the triangles of one face of this rank. A face that is not refined, but has points on
-/// its edges, is cut between these.
-///
-/// \param firstInside the number of each open face's first point inside.
-void appendTriangles(const RefinedFaces& faces, Id face, const std::vector<Id>& firstInside,
-  std::vector<Triangle>& triangles);
+/// its edges, is cut between these. Points inside other faces must have numbers.
+void appendTriangles(const RefinedFaces& faces, Id face, std::vector<Triangle>& triangles);
 
-/// The number of each open face's first point inside: such points follow those on edges.
-std::vector<Id> firstPointsInside(const RefinedFaces& faces);
-
-/// The triangles of a refined surface and the added points.
-///
-/// \param numberOfPoints of the caller: fewer than vertices if the last vertices are only other
-///        ranks'.
-RefinedMesh writeOutput(
-  const RefinedFaces& faces, const RefinementOptions& options, Id numberOfPoints, const Job& job);
+/// The triangles of a refined surface and the added points. Points inside faces get numbers behind
+/// those on edges.
+RefinedMesh writeOutput(RefinedFaces& faces, const RefinementOptions& options, const Job& job);
 
 }
 

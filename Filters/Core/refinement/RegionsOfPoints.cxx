@@ -15,7 +15,11 @@ double RegionsOfPoints::lengthAtBorder(const FaceTriangles& face, const Triangle
   for (std::size_t k = 0; k < 3; ++k)
   {
     const FaceTriangles::Point& point = face.points()[c[k]];
-    corners[k] = { point.number == NoId ? this->ofInside(face, c[k]) : this->of(point.number),
+    const bool isInside = point.number == NoId;
+    const std::uint64_t key =
+      isInside ? (static_cast<std::uint64_t>(face.face()) + 1) << 32 | c[k] : point.number;
+    corners[k] = { this->regionAt(
+                     key, isInside ? face.placeOf(c[k]) : this->faces_.edges.placeOf(point.number)),
       point.distance, point.place };
   }
   return this->lengthAtBorder(corners);
@@ -24,13 +28,15 @@ double RegionsOfPoints::lengthAtBorder(const FaceTriangles& face, const Triangle
 double RegionsOfPoints::lengthAtBorder(Id face, const Triangle& c)
 {
   const TriangleMesh& mesh = this->faces_.field.mesh();
+  const CutEdges& edges = this->faces_.edges;
   const Id frame = longestHalfedge(mesh, face);
   std::array<Corner, 3> corners;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    corners[k] = { this->of(c[k]),
-      this->faces_.edges.distanceOf(c[k], this->faces_.field.vertexDistances()),
-      inHalfedgeFrame(mesh, frame, this->faces_.edges.placeOf(c[k])) };
+    const SurfacePoint place = edges.placeOf(c[k]);
+    corners[k] = { this->regionAt(c[k], place),
+      edges.distanceOf(c[k], this->faces_.field.vertexDistances()),
+      inHalfedgeFrame(mesh, frame, place) };
   }
   return this->lengthAtBorder(corners);
 }
@@ -53,31 +59,14 @@ double RegionsOfPoints::lengthAtBorder(const std::array<Corner, 3>& c) const
   return longest > this->tolerance_ ? longest : 0.0;
 }
 
-const SourceRegion& RegionsOfPoints::of(Id point)
+SourceRegion RegionsOfPoints::regionAt(std::uint64_t key, const SurfacePoint& place)
 {
-  if (point >= this->ofPoints_.size())
+  const auto [found, isNew] = this->known_.try_emplace(key);
+  if (isNew)
   {
-    this->ofPoints_.resize(
-      this->faces_.field.mesh().numberOfVertices() + this->faces_.edges.points().size());
+    found->second = this->regions_.at(place);
   }
-  std::optional<SourceRegion>& region = this->ofPoints_[point];
-  if (!region)
-  {
-    region = this->regions_.at(this->faces_.edges.placeOf(point));
-  }
-  return *region;
-}
-
-const SourceRegion& RegionsOfPoints::ofInside(const FaceTriangles& face, Id point)
-{
-  std::vector<std::optional<SourceRegion>>& regions = this->inside_[face.face()];
-  regions.resize(std::max<std::size_t>(regions.size(), point + 1));
-  if (!regions[point])
-  {
-    const Barycentric& weights = face.points()[point].weights;
-    regions[point] = this->regions_.at(SurfacePoint::inFace(face.face(), weights[1], weights[2]));
-  }
-  return *regions[point];
+  return found->second;
 }
 
 }

@@ -6,9 +6,8 @@
 #include "refinement/SourceRegions.h"
 
 #include <array>
-#include <optional>
+#include <cstdint>
 #include <unordered_map>
-#include <vector>
 
 namespace geodesic
 {
@@ -43,15 +42,13 @@ private:
   };
 
   double lengthAtBorder(const std::array<Corner, 3>& corners) const;
-  const SourceRegion& of(Id point);
-  const SourceRegion& ofInside(const FaceTriangles& face, Id point);
+  SourceRegion regionAt(std::uint64_t key, const SurfacePoint& place);
 
   const RefinedFaces& faces_;
   SourceRegions& regions_;
   double tolerance_;
-  /// Of vertices and points on edges; and for each face, of its own points.
-  std::vector<std::optional<SourceRegion>> ofPoints_;
-  std::unordered_map<Id, std::vector<std::optional<SourceRegion>>> inside_;
+  /// The keys of vertices and points on edges are their numbers; others begin with their faces.
+  std::unordered_map<std::uint64_t, SourceRegion> known_;
 };
 
 }

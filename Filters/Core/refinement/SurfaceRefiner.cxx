@@ -22,12 +22,12 @@ constexpr std::uint64_t MostOfRank = NoId / 5;
 
 } // anonymous namespace
 
-SurfaceRefiner::SurfaceRefiner(const DistanceField& field, const RefinementOptions& options,
-  const std::vector<std::uint8_t>& isFrozen, double tolerance)
+SurfaceRefiner::SurfaceRefiner(
+  const DistanceField& field, const RefinementOptions& options, double tolerance)
   : options_(options)
   , surface_(field.surface())
   , tolerance_(tolerance)
-  , faces_(field, isFrozen)
+  , faces_(field, options.job)
   , splits_(faces_, tolerance, options.job)
   , numberOfTriangles_(surface_.endOfOwnFaces() - surface_.firstOwnFace())
   , bound_(surface_.exchange().largestOf(field.droppedErrorBound()))
@@ -55,13 +55,9 @@ bool SurfaceRefiner::run()
 
 RefinedMesh SurfaceRefiner::result(const Job& job)
 {
-  const bool areVertices =
-    this->options_.cornerPoints.empty() && this->surface_.mesh().numberOfFaces() > 0;
-  const std::vector<Id> unknown = this->unknownAtBorders();
-  RefinedMesh result = writeOutput(this->faces_, this->options_,
-    areVertices ? this->surface_.numberOfOwnVertices() : this->options_.numberOfPoints, job);
+  RefinedMesh result = writeOutput(this->faces_, this->options_, job);
   result.errorBound = this->surface_.exchange().largestOf(this->boundOfAll());
-  result.unknownAtBorders = unknown;
+  result.unknownAtBorders = this->unknownAtBorders();
   return result;
 }
 
@@ -72,8 +68,8 @@ double SurfaceRefiner::shareOfRoom() const
     (static_cast<double>(this->options_.maximumFaces) - own);
 }
 
-// Works in batches. Each batch knows the bound certified by the previous ones, however many
-// threads there are.
+// Works in batches. Each batch knows the bound certified by the previous ones, as smaller bounds
+// need not be sharp.
 void SurfaceRefiner::assessFaces()
 {
   constexpr Id facesInBatch = 2 * ItemsInRange;
@@ -88,32 +84,27 @@ void SurfaceRefiner::assessFaces()
 
 void SurfaceRefiner::assessFaces(Id first, Id end)
 {
-  const double known = this->bound_;
-  std::vector<QuickError> errors(end - first);
-  this->options_.job.part(0.0, 0.0).loop(errors.size(),
+  std::vector<double> bounds(end - first, 0.0);
+  this->options_.job.part(0.0, 0.0).loop(bounds.size(),
     [&](std::size_t i)
     {
       const Id face = first + static_cast<Id>(i);
       if (!this->faces_.isFrozen(face))
       {
-        errors[i] = quickErrorOfFace(this->faces_.field, face, this->tolerance_, known);
+        bounds[i] = quickBoundOfFace(this->faces_.field, face, this->tolerance_, this->bound_);
       }
     });
   for (Id face = first; face < end; ++face)
   {
-    const QuickError& error = errors[face - first];
-    if (this->faces_.isFrozen(face))
-    {
-      continue;
-    }
-    if (error.byWindows == Infinity)
+    const double bound = bounds[face - first];
+    if (bound == Infinity)
     {
       this->due_.push_back(face);
-      continue;
     }
-    // Smaller bounds than that of all faces need not be sharp.
-    const double bound = error.bySize <= this->bound_ ? error.bySize : error.byWindows;
-    this->bound_ = std::max(this->bound_, bound + error.rounding);
+    else
+    {
+      this->bound_ = std::max(this->bound_, bound);
+    }
   }
 }
 
@@ -293,7 +284,7 @@ double SurfaceRefiner::boundOfAll()
 {
   FaceCheck check(this->faces_, this->tolerance_);
   double bound = this->bound_;
-  for (FaceTriangles& face : this->faces_.openFaces())
+  for (const FaceTriangles& face : this->faces_.openFaces())
   {
     for (const FaceTriangles::Part& part : face.parts())
     {
@@ -321,7 +312,7 @@ std::vector<Id> SurfaceRefiner::unknownAtBorders()
       continue;
     }
     triangles.clear();
-    appendTriangles(this->faces_, face, {}, triangles);
+    appendTriangles(this->faces_, face, triangles);
     if (std::any_of(triangles.begin(), triangles.end(),
           [&](const Triangle& corners)
           { return this->regions_->lengthAtBorder(face, corners) > 0.0; }))

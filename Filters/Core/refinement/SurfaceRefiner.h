@@ -26,10 +26,7 @@ public:
   static constexpr double JobOfRun = 0.9;
 
   /// All arguments must outlive this.
-  ///
-  /// \param isFrozen for each face, not 0 if this rank does not refine it.
-  SurfaceRefiner(const DistanceField& field, const RefinementOptions& options,
-    const std::vector<std::uint8_t>& isFrozen, double tolerance);
+  SurfaceRefiner(const DistanceField& field, const RefinementOptions& options, double tolerance);
 
   /// \returns whether there is room for the result.
   bool run();

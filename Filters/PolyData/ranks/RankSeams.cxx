@@ -19,10 +19,6 @@ using Label = RankLabels::Label;
 
 constexpr int BitsOfVertex = 40;
 
-/// A key, such as a place, and a vertex that has it.
-template <typename Key>
-using Keyed = std::pair<Key, Id>;
-
 /// What is known of a key by the rank that looks after it.
 struct KnownKey
 {
@@ -31,8 +27,9 @@ struct KnownKey
   bool isShared = false;
 };
 
-/// The places of those vertices that another rank can have, by its bounding box.
-std::vector<Keyed<Vec3>> placesNearOthers(const std::vector<Vec3>& vertices, Exchange& exchange)
+/// Adds the places of those vertices that another rank can have, by its bounding box.
+void addPlacesNearOthers(
+  const std::vector<Vec3>& vertices, Exchange& exchange, std::vector<KeyedVertex>& keys)
 {
   Box own;
   for (const Vec3& p : vertices)
@@ -41,36 +38,34 @@ std::vector<Keyed<Vec3>> placesNearOthers(const std::vector<Vec3>& vertices, Exc
   }
   std::vector<Box> others = valuesOfRanks(exchange, own);
   others.erase(others.begin() + exchange.rank());
-  std::vector<Keyed<Vec3>> places;
   for (Id vertex = 0; vertex < vertices.size(); ++vertex)
   {
-    if (std::any_of(others.begin(), others.end(),
-          [&](const Box& box) { return box.holds(vertices[vertex]); }))
+    const Vec3& p = vertices[vertex];
+    if (std::any_of(others.begin(), others.end(), [&p](const Box& box) { return box.holds(p); }))
     {
-      places.emplace_back(vertices[vertex], vertex);
+      const Vec3 place = p + Vec3{}; // -0 and 0 are one place
+      keys.push_back({ { place[0], place[1], place[2], 0.0 }, vertex });
     }
   }
-  return places;
 }
 
 /// Gives vertices with equal keys the least label of these. Each key is looked after by one rank.
 ///
 /// \returns whether a label on this rank has changed.
-template <typename Key>
-bool shareLeast(const std::vector<Keyed<Key>>& items, Exchange& exchange, RankLabels& labels)
+bool shareLeast(const std::vector<KeyedVertex>& keys, Exchange& exchange, RankLabels& labels)
 {
   Questions questions(exchange);
   const auto ranks = static_cast<std::uint64_t>(exchange.numberOfRanks());
-  for (const auto& [key, vertex] : items)
+  for (const auto& [key, vertex] : keys)
   {
     questions.ask(static_cast<int>(hashOf(key) % ranks), vertex, key, labels.of(vertex));
   }
-  std::unordered_map<Key, KnownKey, Hash> known;
+  std::unordered_map<VertexKey, KnownKey, Hash> known;
   bool hasChanged = false;
   questions.exchangeAnswers(
     [&](int rank, MessageReader& question)
     {
-      const Key key = question.get<Key>();
+      const auto key = question.get<VertexKey>();
       const auto label = question.get<Label>();
       KnownKey& entry = known.try_emplace(key, KnownKey{ label, rank }).first->second;
       entry.least = std::min(entry.least, label);
@@ -78,7 +73,7 @@ bool shareLeast(const std::vector<Keyed<Key>>& items, Exchange& exchange, RankLa
     },
     [&](MessageReader& question, Message& answer)
     {
-      const KnownKey& entry = known.at(question.get<Key>());
+      const KnownKey& entry = known.at(question.get<VertexKey>());
       question.get<Label>();
       put(answer, entry.least | (entry.isShared ? RankLabels::Shared : 0));
     },
@@ -98,28 +93,22 @@ bool shareLeast(const std::vector<Keyed<Key>>& items, Exchange& exchange, RankLa
 }
 
 RankLabels joinSameVertices(const std::vector<Vec3>& vertices, bool byPlace,
-  const std::vector<std::pair<std::int64_t, Id>>& globalIds, Exchange& exchange)
+  std::vector<KeyedVertex> globalIds, Exchange& exchange)
 {
   RankLabels labels;
-  labels.labels.resize(vertices.size());
+  std::vector<KeyedVertex> keys = std::move(globalIds);
   for (Id vertex = 0; vertex < vertices.size(); ++vertex)
   {
-    labels.labels[vertex] = (static_cast<Label>(exchange.rank()) << BitsOfVertex) | vertex;
+    labels.labels.push_back((static_cast<Label>(exchange.rank()) << BitsOfVertex) | vertex);
   }
-  std::vector<Keyed<Vec3>> places;
   if (byPlace)
   {
-    places = placesNearOthers(vertices, exchange);
+    addPlacesNearOthers(vertices, exchange, keys);
   }
-  const bool byGlobalIds = exchange.isTrueAnywhere(!globalIds.empty());
   // Labels go on from a place to an id and from there to another place, until none changes. They
   // only fall, so that there is an end.
-  bool hasChanged = byPlace || byGlobalIds;
-  while (hasChanged)
+  while (exchange.isTrueAnywhere(shareLeast(keys, exchange, labels)))
   {
-    hasChanged = byPlace && shareLeast(places, exchange, labels);
-    hasChanged = (byGlobalIds && shareLeast(globalIds, exchange, labels)) || hasChanged;
-    hasChanged = byPlace && byGlobalIds && exchange.isTrueAnywhere(hasChanged);
   }
   return labels;
 }

@@ -6,6 +6,7 @@
 #include "PolyData/ranks/BorrowedValues.h"
 #include "Types.h"
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -35,14 +36,19 @@ struct RankLabels
   }
 };
 
+/// What vertices have in common that are one: x, y, z, 0 of a place, or a global id, 0, 0, 1.
+using VertexKey = std::array<double, 4>;
+/// A key and a vertex that has it.
+using KeyedVertex = std::pair<VertexKey, Id>;
+
 /// Finds the vertices of several ranks' pieces of a surface that are one: those at exactly one
 /// place, and those with the same global id. All ranks call this together.
 ///
 /// \param vertices of this rank's piece.
 /// \param byPlace whether places count; the same on all ranks.
-/// \param globalIds a global id and a vertex each; empty where there are none.
+/// \param globalIds empty where there are none.
 RankLabels joinSameVertices(const std::vector<Vec3>& vertices, bool byPlace,
-  const std::vector<std::pair<std::int64_t, Id>>& globalIds, Exchange& exchange);
+  std::vector<KeyedVertex> globalIds, Exchange& exchange);
 
 /// Finds values for the vertices of a rank's points that no own face has: corners of duplicates of
 /// other ranks' faces, and points that no face uses here. The values come from the lowest rank that

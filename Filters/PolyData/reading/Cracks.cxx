@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace geodesic
@@ -24,14 +25,6 @@ struct BoundaryEdge
   Vec3 begin;
   Vec3 end;
   RankAddress face;
-
-  bool holds(const Vec3& point, double margin) const
-  {
-    const Vec3 margins = { margin, margin, margin };
-    Box box{ this->begin - margins, this->begin + margins };
-    box.add({ this->end - margins, this->end + margins });
-    return box.holds(point);
-  }
 };
 
 /// Those of the faces that this rank owns.
@@ -53,63 +46,33 @@ std::vector<BoundaryEdge> boundaryOf(const MeshPartition& partition)
   return edges;
 }
 
-/// Finds edges near places, by a grid in which each edge has some points. (The locators of VTK
-/// start threads to find the bounds of a few lines.)
-class EdgeLocator
+/// Finds edges near places, as each edge has some points in it. (The locators of VTK start threads
+/// to find the bounds of a few lines.)
+///
+/// \param reach a place is within the reach of such a point if it is no farther from the edge.
+PointGrid gridOf(const std::vector<BoundaryEdge>& edges, double reach)
 {
-public:
-  /// \param farthest how far an edge may be from a place at most.
-  EdgeLocator(const std::vector<BoundaryEdge>& edges, double farthest)
-    : edges_(edges)
+  const double spacing = 0.25 * PointGrid::cubeFor(reach);
+  PointGrid grid;
+  for (std::size_t i = 0; i < edges.size(); ++i)
   {
-    double sum = 0.0;
-    for (const BoundaryEdge& edge : edges)
+    const Vec3 along = edges[i].end - edges[i].begin;
+    const double steps = std::max(1.0, std::ceil(norm(along) / spacing));
+    for (double step = 0.0; step <= steps; ++step)
     {
-      sum += norm(edge.end - edge.begin);
-    }
-    const double mean = sum / static_cast<double>(edges.size());
-    this->reach_ = std::max(mean, farthest);
-    // A place is within the reach of such a point if it is no farther from the edge.
-    const double spacing = 0.25 * PointGrid::cubeFor(this->reach_);
-    for (std::size_t i = 0; i < edges.size(); ++i)
-    {
-      const Vec3 along = edges[i].end - edges[i].begin;
-      const double steps = std::max(1.0, std::ceil(norm(along) / spacing));
-      for (double step = 0.0; step <= steps; ++step)
-      {
-        this->grid_.add(edges[i].begin + (step / steps) * along, this->reach_, i);
-      }
+      grid.add(edges[i].begin + (step / steps) * along, reach, i);
     }
   }
+  return grid;
+}
 
-  /// How far the middle of an edge is from the nearest edge of another face; infinite if none is
-  /// within the limit, which is at most the farthest.
-  double distanceFrom(const BoundaryEdge& edge, double limit) const
-  {
-    const Vec3 middle = 0.5 * (edge.begin + edge.end);
-    double least = Infinity;
-    this->grid_.visitNear(middle, this->reach_,
-      [&](std::size_t i)
-      {
-        const BoundaryEdge& other = this->edges_[i];
-        const bool isOfAnotherFace = edge.face < other.face || other.face < edge.face;
-        if (isOfAnotherFace && other.holds(middle, limit))
-        {
-          double along = 0.0;
-          Vec3 closest;
-          least = std::min(least,
-            std::sqrt(vtkLine::DistanceToLine(
-              middle.data(), other.begin.data(), other.end.data(), along, closest.data())));
-        }
-      });
-    return least <= limit ? least : Infinity;
-  }
-
-private:
-  const std::vector<BoundaryEdge>& edges_;
-  double reach_;
-  PointGrid grid_;
-};
+double distanceBetween(const Vec3& point, const BoundaryEdge& edge)
+{
+  double along = 0.0;
+  Vec3 closest;
+  return std::sqrt(vtkLine::DistanceToLine(
+    point.data(), edge.begin.data(), edge.end.data(), along, closest.data()));
+}
 
 }
 
@@ -118,20 +81,32 @@ void findCracks(const MeshPartition& partition, double diagonal, SurfaceReport& 
   const double width = tolerance::CrackWidth * diagonal;
   const std::vector<BoundaryEdge> own = boundaryOf(partition);
   const std::vector<BoundaryEdge> edges = valuesOfRanks(partition.exchange(), own);
-  if (own.empty())
-  {
-    return;
-  }
-  const EdgeLocator locator(edges, width);
+  const double length = std::accumulate(edges.begin(), edges.end(), 0.0,
+    [](double sum, const BoundaryEdge& edge) { return sum + norm(edge.end - edge.begin); });
+  const double reach =
+    std::max(length / static_cast<double>(std::max<std::size_t>(edges.size(), 1)), width);
+  const PointGrid grid = gridOf(edges, reach);
   for (const BoundaryEdge& edge : own)
   {
-    const double length = norm(edge.end - edge.begin);
-    const double distance =
-      locator.distanceFrom(edge, std::min(width, tolerance::CrackFraction * length));
-    if (distance < Infinity)
+    const Vec3 middle = 0.5 * (edge.begin + edge.end);
+    const double limit = std::min(width, tolerance::CrackFraction * norm(edge.end - edge.begin));
+    double least = Infinity;
+    grid.visitNear(middle, reach,
+      [&](std::size_t i)
+      {
+        const BoundaryEdge& other = edges[i];
+        Box around{ other.begin, other.begin };
+        around.add(other.end);
+        const bool isOfAnotherFace = edge.face < other.face || other.face < edge.face;
+        if (isOfAnotherFace && around.distanceTo(middle) <= limit)
+        {
+          least = std::min(least, distanceBetween(middle, other));
+        }
+      });
+    if (least <= limit)
     {
       ++report.crackEdges;
-      report.crackWidth = std::max(report.crackWidth, distance);
+      report.crackWidth = std::max(report.crackWidth, least);
     }
   }
 }

@@ -29,7 +29,6 @@ namespace
 /// What a surface makes of cells of a type.
 enum class CellKind : unsigned char
 {
-  NotYetKnown,
   Polygon,
   Pixel,
   Strip,
@@ -48,7 +47,8 @@ vtkSmartPointer<vtkCell> cellOfType(int type)
   return vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
 }
 
-CellKind kindOf(int type)
+/// \param cell of the type; null if VTK does not know it.
+CellKind kindOf(int type, vtkCell* cell)
 {
   switch (type)
   {
@@ -67,28 +67,85 @@ CellKind kindOf(int type)
     default:
       break;
   }
-  const vtkSmartPointer<vtkCell> cell = cellOfType(type);
   constexpr CellKind ofDimension[] = { CellKind::Vertex, CellKind::Line, CellKind::Curved,
     CellKind::Volume };
   return cell ? ofDimension[cell->GetCellDimension()] : CellKind::Foreign;
 }
 
-/// Makes the vtkPolyData of a grid.
+struct CellType
+{
+  CellKind kind;
+  /// Below this number of points VTK reads points that are not there.
+  vtkIdType leastSize;
+};
+
+const CellType& cellType(int type)
+{
+  static const std::array<CellType, 256> types = []
+  {
+    std::array<CellType, 256> made{};
+    for (std::size_t i = 0; i < made.size(); ++i)
+    {
+      const vtkSmartPointer<vtkCell> cell = cellOfType(static_cast<int>(i));
+      made[i] = { kindOf(static_cast<int>(i), cell), cell ? cell->GetNumberOfPoints() : 0 };
+    }
+    return made;
+  }();
+  return types[static_cast<unsigned char>(type)];
+}
+
+/// Cells of one kind, and their numbers in the grid.
+struct CellsOfKind
+{
+  vtkNew<vtkCellArray> cells;
+  std::vector<vtkIdType> numbers;
+
+  void add(vtkIdType number, vtkIdType size, const vtkIdType* ids)
+  {
+    this->cells->InsertNextCell(size, ids);
+    this->numbers.push_back(number);
+  }
+};
+
+/// Gives a vtkPolyData the cells of a grid.
 class GridReader
 {
 public:
-  GridReader(vtkUnstructuredGrid* grid, const PartName& name)
+  GridReader(vtkUnstructuredGrid* grid, PolyDataBlock block)
     : grid_(grid)
-    , block_{ vtkSmartPointer<vtkPolyData>::New(), name, {} }
+    , block_(std::move(block))
   {
-    vtkPolyData* data = this->block_.data;
-    data->SetPoints(grid->GetPoints());
-    data->GetPointData()->ShallowCopy(grid->GetPointData());
-    data->GetCellData()->ShallowCopy(grid->GetCellData());
-    data->GetFieldData()->ShallowCopy(grid->GetFieldData());
   }
 
-  PolyDataBlock read()
+  PolyDataBlock readSource()
+  {
+    vtkIdType next = 0;
+    forEachCell(this->grid_->GetCells(),
+      [&](vtkIdType size, const vtkIdType* ids)
+      {
+        const vtkIdType cell = next++;
+        const int type = this->grid_->GetCellType(cell);
+        const CellKind kind = this->kindOfCell(cell);
+        const bool isLine = type == VTK_LINE || type == VTK_POLY_LINE;
+        if (kind == CellKind::Polygon || kind == CellKind::Pixel)
+        {
+          this->addFace(kind, cell, size, ids);
+        }
+        else if (kind == CellKind::Vertex || kind == CellKind::Strip)
+        {
+          (kind == CellKind::Vertex ? this->vertices_ : this->strips_).add(cell, size, ids);
+        }
+        else
+        {
+          this->lines_.add(cell, isLine ? size : 0, ids);
+          this->block_.droppedCells += isLine || kind == CellKind::Empty ? 0 : 1;
+        }
+      });
+    this->giveCells();
+    return std::move(this->block_);
+  }
+
+  PolyDataBlock readSurface()
   {
     if (this->grid_->GetNumberOfCells() > 0)
     {
@@ -113,24 +170,13 @@ private:
     bool isAnySplit = false;
   };
 
-  unsigned char typeOf(vtkIdType cell) const
+  CellKind kindOfCell(vtkIdType cell) const
   {
-    return static_cast<unsigned char>(this->grid_->GetCellType(cell));
-  }
-
-  CellKind kindOfCell(vtkIdType cell)
-  {
-    const unsigned char type = this->typeOf(cell);
-    CellKind& kind = this->kinds_[type];
-    if (kind == CellKind::NotYetKnown)
-    {
-      kind = kindOf(type);
-    }
-    return kind;
+    return cellType(this->grid_->GetCellType(cell)).kind;
   }
 
   /// \throws InputError
-  Found look()
+  Found look() const
   {
     Found found;
     for (vtkIdType cell = 0; cell < this->grid_->GetNumberOfCells(); ++cell)
@@ -148,7 +194,7 @@ private:
 
   [[noreturn]] void throwNoFace(vtkIdType cell) const
   {
-    const int type = this->typeOf(cell);
+    const int type = this->grid_->GetCellType(cell);
     const vtkSmartPointer<vtkCell> like = cellOfType(type);
     const std::string which = this->block_.name.part("cell", cell).atBeginning();
     throw InputError(like ? which + " is three-dimensional, a " + like->GetClassName() +
@@ -162,10 +208,6 @@ private:
   void readCells(const Found& found)
   {
     this->allocate(found);
-    vtkNew<vtkCellArray> vertices;
-    vtkNew<vtkCellArray> lines;
-    std::vector<vtkIdType> cellsOfVertices;
-    std::vector<vtkIdType> cellsOfLines;
     vtkIdType next = 0;
     forEachCell(this->grid_->GetCells(),
       [&](vtkIdType size, const vtkIdType* ids)
@@ -174,26 +216,30 @@ private:
         const CellKind kind = this->kindOfCell(cell);
         if (kind == CellKind::Vertex || kind == CellKind::Line)
         {
-          const bool isLine = kind == CellKind::Line;
-          (isLine ? lines : vertices)->InsertNextCell(0, ids);
-          (isLine ? cellsOfLines : cellsOfVertices).push_back(cell);
+          (kind == CellKind::Line ? this->lines_ : this->vertices_).add(cell, 0, ids);
         }
         else if (kind != CellKind::Empty)
         {
           this->addFace(kind, cell, size, ids);
         }
       });
-    // The order in which vtkPolyData numbers its cells.
-    std::vector<vtkIdType>& inputCells = this->block_.inputCells;
-    inputCells = std::move(cellsOfVertices);
-    for (const std::vector<vtkIdType>& more : { cellsOfLines, this->cellsOfPolygons_ })
-    {
-      inputCells.insert(inputCells.end(), more.begin(), more.end());
-    }
     this->block_.numberOfInputCells = next;
-    this->block_.data->SetVerts(vertices);
-    this->block_.data->SetLines(lines);
-    this->block_.data->SetPolys(this->polygons_);
+    this->giveCells();
+  }
+
+  /// In the order in which vtkPolyData numbers its cells.
+  void giveCells()
+  {
+    std::vector<vtkIdType>& numbers = this->block_.inputCells;
+    for (const CellsOfKind* kind :
+      { &this->vertices_, &this->lines_, &this->polygons_, &this->strips_ })
+    {
+      numbers.insert(numbers.end(), kind->numbers.begin(), kind->numbers.end());
+    }
+    this->block_.data->SetVerts(this->vertices_.cells);
+    this->block_.data->SetLines(this->lines_.cells);
+    this->block_.data->SetPolys(this->polygons_.cells);
+    this->block_.data->SetStrips(this->strips_.cells);
   }
 
   /// A cell that is split has at most two triangles for each of its points: a Lagrange
@@ -205,14 +251,8 @@ private:
     const vtkIdType most = found.isAnySplit ? cells + 2 * ids : cells;
     const vtkIdType mostIds = found.isAnySplit ? 6 * ids : ids;
     requireMemory(3 * most + mostIds, sizeof(vtkIdType));
-    this->polygons_->AllocateExact(most, mostIds);
-    this->cellsOfPolygons_.reserve(static_cast<std::size_t>(most));
-  }
-
-  void addPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* ids)
-  {
-    this->polygons_->InsertNextCell(size, ids);
-    this->cellsOfPolygons_.push_back(cell);
+    this->polygons_.cells->AllocateExact(most, mostIds);
+    this->polygons_.numbers.reserve(static_cast<std::size_t>(most));
   }
 
   void addFace(CellKind kind, vtkIdType cell, vtkIdType size, const vtkIdType* ids)
@@ -234,7 +274,7 @@ private:
         this->addTriangles(cell);
         break;
       default:
-        this->addPolygon(cell, size, ids);
+        this->polygons_.add(cell, size, ids);
         break;
     }
   }
@@ -263,7 +303,7 @@ private:
     {
       this->corners_->SetId(i, idAt(i));
     }
-    this->addPolygon(cell, size, this->corners_->GetPointer(0));
+    this->polygons_.add(cell, size, this->corners_->GetPointer(0));
   }
 
   /// Adds those whose corners are given. A cell without triangles is no face, but counted among
@@ -273,11 +313,11 @@ private:
     const vtkIdType count = this->corners_->GetNumberOfIds();
     for (vtkIdType i = 0; i + 2 < count; i += 3)
     {
-      this->addPolygon(cell, 3, this->corners_->GetPointer(i));
+      this->polygons_.add(cell, 3, this->corners_->GetPointer(i));
     }
     if (count < 3)
     {
-      this->addPolygon(cell, 0, nullptr);
+      this->polygons_.add(cell, 0, nullptr);
     }
   }
 
@@ -299,7 +339,7 @@ private:
   {
     requirePoints<InputError>(this->block_, cell, size, ids);
     this->corners_->Reset();
-    if (size >= this->leastSizeOf(this->typeOf(cell)))
+    if (size >= cellType(this->grid_->GetCellType(cell)).leastSize)
     {
       this->grid_->GetCell(cell, this->cell_);
       this->cell_->Triangulate(0, this->corners_, this->places_);
@@ -310,30 +350,18 @@ private:
     if (!std::all_of(ids, ids + size, isCorner))
     {
       throw InputError(this->block_.name.part("cell", cell).atBeginning() + " is of type " +
-        std::to_string(this->typeOf(cell)) +
+        std::to_string(this->grid_->GetCellType(cell)) +
         " and cannot be cut into triangles through its points, of which there are " +
         std::to_string(size) + ". Repair the cells upstream.");
     }
   }
 
-  /// Below this VTK reads points that are not there.
-  vtkIdType leastSizeOf(unsigned char type)
-  {
-    vtkIdType& size = this->leastSizes_[type];
-    if (size == 0)
-    {
-      size = cellOfType(type)->GetNumberOfPoints();
-    }
-    return size;
-  }
-
   vtkUnstructuredGrid* grid_;
   PolyDataBlock block_;
-  /// The kind, and the least number of points, of each cell type.
-  std::array<CellKind, 256> kinds_{};
-  std::array<vtkIdType, 256> leastSizes_{};
-  vtkNew<vtkCellArray> polygons_;
-  std::vector<vtkIdType> cellsOfPolygons_;
+  CellsOfKind vertices_;
+  CellsOfKind lines_;
+  CellsOfKind polygons_;
+  CellsOfKind strips_;
   /// For the current cell, if it is not taken as it is.
   vtkNew<vtkIdList> corners_;
   vtkNew<vtkPoints> places_;
@@ -344,7 +372,17 @@ private:
 
 PolyDataBlock surfaceOfGrid(vtkUnstructuredGrid* grid, const PartName& name)
 {
-  return GridReader(grid, name).read();
+  PolyDataBlock block{ vtkSmartPointer<vtkPolyData>::New(), name, {} };
+  block.data->SetPoints(grid->GetPoints());
+  block.data->GetPointData()->ShallowCopy(grid->GetPointData());
+  block.data->GetCellData()->ShallowCopy(grid->GetCellData());
+  block.data->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  return GridReader(grid, std::move(block)).readSurface();
+}
+
+PolyDataBlock sourceOfGrid(vtkUnstructuredGrid* grid, PolyDataBlock points)
+{
+  return GridReader(grid, std::move(points)).readSource();
 }
 
 }

@@ -21,6 +21,10 @@ namespace geodesic
 ///         does not know.
 PolyDataBlock surfaceOfGrid(vtkUnstructuredGrid* grid, const PartName& name);
 
+/// Adds the vertices, lines and flat faces of a grid to a block that has its points. Other cells
+/// become lines without points, so that these keep their numbers.
+PolyDataBlock sourceOfGrid(vtkUnstructuredGrid* grid, PolyDataBlock points);
+
 }
 
 #endif

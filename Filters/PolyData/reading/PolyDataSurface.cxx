@@ -53,6 +53,12 @@ MeshPartition PolyDataSurface::partitionWithBarriers(
   return { std::move(points), std::move(faces), keys, this->exchange(), job };
 }
 
+const TriangleMesh& PolyDataSurface::noMesh()
+{
+  static const TriangleMesh none;
+  return none;
+}
+
 void PolyDataSurface::useCellsOf(const std::vector<PolyDataBlock>& inputs)
 {
   for (std::size_t i = 0; i < this->blocks.size(); ++i)
@@ -90,9 +96,8 @@ std::size_t blockOf(const std::vector<SurfaceBlock>& blocks, Id item, Id Surface
 
 std::string PolyDataSurface::nameOfCell(Id triangle, const std::vector<PolyDataBlock>& inputs) const
 {
-  const std::size_t index = this->blockOf(triangle, &SurfaceBlock::firstTriangle);
-  const SurfaceBlock& block = this->blocks[index];
-  return inputs[index].name.part("cell", block.inputCell(triangle - block.firstTriangle)).text();
+  const auto [block, cell] = this->inputCellOf(triangle);
+  return inputs[block].name.part("cell", cell).text();
 }
 
 std::vector<Id> numberUsedVertices(std::vector<Triangle>& triangles, std::size_t numberOfVertices)

@@ -178,7 +178,7 @@ struct SurfaceReport
 struct PolyDataSurface
 {
   /// The mesh of the faces that paths may enter, the open triangles of all blocks, with the halo.
-  MeshPartition partition;
+  MeshPartition partition{ noMesh() };
   /// Values for the vertices of this rank's points that no face of the mesh here has.
   BorrowedValues valuesElsewhere;
   /// The mesh of the barriers of all blocks; null if no rank has barriers.
@@ -210,11 +210,6 @@ struct PolyDataSurface
   /// The diagonal of the box.
   double diagonal = 0.0;
   SurfaceReport report;
-
-  explicit PolyDataSurface(MeshPartition part)
-    : partition(std::move(part))
-  {
-  }
 
   const TriangleMesh& mesh() const { return this->partition.mesh(); }
   Exchange& exchange() const { return this->partition.exchange(); }
@@ -276,6 +271,13 @@ struct PolyDataSurface
   {
     return this->triangleOfPart(this->barrierParts[this->barriers->surface().triangleOf(face)]);
   }
+  /// The block of a triangle, and the cell of the block's input that it came from.
+  std::pair<std::size_t, vtkIdType> inputCellOf(Id triangle) const
+  {
+    const std::size_t index = this->blockOf(triangle, &SurfaceBlock::firstTriangle);
+    const SurfaceBlock& block = this->blocks[index];
+    return { index, block.inputCell(triangle - block.firstTriangle) };
+  }
   /// "cell 17 of the surface (input port 0)"
   ///
   /// \param inputs the blocks that the surface was read from.
@@ -284,6 +286,9 @@ struct PolyDataSurface
   {
     return geodesic::blockOf(this->blocks, item, first);
   }
+
+private:
+  static const TriangleMesh& noMesh();
 };
 
 /// Numbers the vertices that triangles use, in their order, and changes the corners to these

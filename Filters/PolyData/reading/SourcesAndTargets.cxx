@@ -86,6 +86,8 @@ struct SourceBlockReader
   const PolyDataBlock& block;
   /// The polylines of the blocks before; this block adds its own.
   SourcePolylines& sources;
+  /// Whether a negative id stands for no part.
+  bool isNegativeNone = false;
   const Id firstSource = static_cast<Id>(sources.idEnd);
   vtkIdType cell = 0;
   std::vector<char> isUsed{};
@@ -125,7 +127,8 @@ struct SourceBlockReader
       });
     for (vtkIdType i = 0; i < source->GetNumberOfPoints(); ++i)
     {
-      if (source->GetNumberOfVerts() == 0 || this->isUsed[static_cast<std::size_t>(i)])
+      if (!this->isNone(i) &&
+        (source->GetNumberOfVerts() == 0 || this->isUsed[static_cast<std::size_t>(i)]))
       {
         this->addPoint(i, this->sourceOf(i));
         this->sources.ids.push_back(this->sourceOf(i));
@@ -141,11 +144,13 @@ struct SourceBlockReader
       [&](vtkIdType size, const vtkIdType* ids)
       {
         requirePoints<SourceError>(this->block, this->inputCell(), size, ids);
-        if (size > 0)
+        const bool isPart = !this->isNone(this->inputCell());
+        if (size > 0 && isPart)
         {
           (this->*add)(size, ids);
         }
-        if (size > 0 || isPolyData) // a cell of a vtkPolyData is a source without points, too
+        if ((size > 0 || isPolyData) &&
+          isPart) // a cell of a vtkPolyData is a source without points, too
         {
           this->sources.ids.push_back(this->sourceOf(this->inputCell()));
         }
@@ -160,7 +165,11 @@ struct SourceBlockReader
     return numbers.empty() ? this->cell : numbers[static_cast<std::size_t>(this->cell)];
   }
 
-  /// \param number of a cell, or a point, of the input.
+  /// \param number of a cell, or a point, of the input; of sourceOf(), too.
+  bool isNone(vtkIdType number) const
+  {
+    return this->isNegativeNone && this->block.sourceIds[static_cast<std::size_t>(number)] < 0;
+  }
   Id sourceOf(vtkIdType number) const { return this->firstSource + static_cast<Id>(number); }
 
   void usePoints(vtkIdType size, const vtkIdType* ids)
@@ -247,9 +256,10 @@ struct SourceBlockReader
 /// empty if none do.
 ///
 /// \param ids of all that are sources, ascending.
+/// \param array what the array names, and the property that chooses it, for messages.
 /// \throws SourceError if a value of one of these is no id.
-std::vector<vtkIdType> namesOfParts(
-  const std::vector<PolyDataBlock>& source, const std::vector<vtkIdType>& ids)
+std::vector<vtkIdType> namesOfParts(const std::vector<PolyDataBlock>& source,
+  const std::vector<vtkIdType>& ids, const std::string& array)
 {
   std::vector<vtkIdType> names;
   auto id = ids.begin();
@@ -265,8 +275,7 @@ std::vector<vtkIdType> namesOfParts(
         throw SourceError(
           block.name.part(block.isSetOfPoints() ? "point" : "cell", *id - first).atBeginning() +
           (name < 0 ? " has a negative value" : " has a value that is too large") +
-          " in the array that names the parts of the source (SourceIdArrayName): ids are from 0 "
-          "to " +
+          " in the array that names " + array + ": ids are from 0 to " +
           std::to_string(SourceIdEnd - 1) + ", as -1 stands for points that are not reached.");
       }
     }
@@ -410,6 +419,64 @@ void leaveOutBarriers(const PolyDataSurface& surface, double coordinatePrecision
   }
 }
 
+/// The sources that are among those with faces no more, ascending.
+std::vector<Id> sourcesWithoutFaces(
+  const std::set<Id>& before, const std::vector<LocatedPolyline>& faces)
+{
+  const std::set<Id> left = sourcesOf(faces);
+  std::vector<Id> gone;
+  std::set_difference(
+    before.begin(), before.end(), left.begin(), left.end(), std::back_inserter(gone));
+  return gone;
+}
+
+/// The polylines and faces of all blocks, on the surface's scale.
+///
+/// \throws SourceError
+SourcePolylines readPolylines(
+  const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface, bool isNegativeNone)
+{
+  SourcePolylines result;
+  for (const PolyDataBlock& block : source)
+  {
+    const std::vector<char> used = SourceBlockReader{ block, result, isNegativeNone }.read();
+    const std::string bad = whereNotFinite(block, used.data());
+    if (!bad.empty())
+    {
+      throw SourceError(bad);
+    }
+  }
+  const double precision = coordinatePrecisionOf(source);
+  scalePoints(surface, precision, result.polylines);
+  scalePoints(surface, precision, result.faces);
+  return result;
+}
+
+/// Makes sources of polylines and faces.
+///
+/// \param array as namesOfParts().
+/// \param before the sources that had faces when they were read.
+void makeParts(const std::vector<PolyDataBlock>& source, const std::string& array,
+  bool areLinesJoined, const std::set<Id>& before, SourcePolylines& result)
+{
+  const std::vector<vtkIdType> names = namesOfParts(source, result.ids, array);
+  if (areLinesJoined && names.empty())
+  {
+    removeIds(sourcesWithoutFaces(before, result.faces), result.ids);
+  }
+  if (areLinesJoined)
+  {
+    joinLines(names, result);
+  }
+  joinFaces(names, areLinesJoined, result);
+  std::vector<std::string> called;
+  for (const PolyDataBlock& block : source)
+  {
+    called.insert(called.end(), block.partNames.begin(), block.partNames.end());
+  }
+  makeSources(names, called, result);
+}
+
 /// \throws SourceError
 [[noreturn]] void throwEmpty(const SourcePolylines& sources)
 {
@@ -518,51 +585,50 @@ OwnPlace snapToOwnFace(const MeshPartition& surface, const Vec3& point,
 SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface,
   bool areLinesJoined, PolylineLocator& locator, const Job& job)
 {
-  SourcePolylines result;
-  std::vector<std::vector<char>> used;
-  for (const PolyDataBlock& block : source)
-  {
-    used.push_back(SourceBlockReader{ block, result }.read());
-  }
+  SourcePolylines result = readPolylines(source, surface, false);
   if (result.polylines.empty() && result.faces.empty())
   {
     throwEmpty(result);
   }
-  for (std::size_t i = 0; i < source.size(); ++i)
-  {
-    const std::string bad = whereNotFinite(source[i], used[i].data());
-    if (!bad.empty())
-    {
-      throw SourceError(bad);
-    }
-  }
-  const double precision = coordinatePrecisionOf(source);
-  scalePoints(surface, precision, result.polylines);
-  scalePoints(surface, precision, result.faces);
-  const std::vector<vtkIdType> names = namesOfParts(source, result.ids);
   const std::set<Id> before = sourcesOf(result.faces);
   result.partsOfFaces = cutAtFacesWithoutArea(result.faces);
-  leaveOutBarriers(surface, precision, locator, job, result);
-  if (areLinesJoined && names.empty())
-  {
-    const std::set<Id> left = sourcesOf(result.faces);
-    std::vector<Id> gone;
-    std::set_difference(
-      before.begin(), before.end(), left.begin(), left.end(), std::back_inserter(gone));
-    removeIds(gone, result.ids);
-  }
-  if (areLinesJoined)
-  {
-    joinLines(names, result);
-  }
-  joinFaces(names, areLinesJoined, result);
-  std::vector<std::string> called;
-  for (const PolyDataBlock& block : source)
-  {
-    called.insert(called.end(), block.partNames.begin(), block.partNames.end());
-  }
-  makeSources(names, called, result);
+  leaveOutBarriers(surface, coordinatePrecisionOf(source), locator, job, result);
+  makeParts(source, "the parts of the source (SourceIdArrayName)", areLinesJoined, before, result);
   return result;
+}
+
+SourcePolylines readTargetSets(
+  const std::vector<PolyDataBlock>& blocks, const PartName& name, const PolyDataSurface& surface)
+{
+  SourcePolylines result = readPolylines(blocks, surface, true);
+  if (result.polylines.empty() && result.faces.empty())
+  {
+    throw InputError(name.atBeginning() +
+      " has no target: no point, line or flat face has a value of at least 0 in the array of "
+      "TargetIdArrayName. Negative values stand for none.");
+  }
+  const std::set<Id> before = sourcesOf(result.faces);
+  result.partsOfFaces = cutAtFacesWithoutArea(result.faces);
+  makeParts(blocks, "targets (TargetIdArrayName)", true, before, result);
+  return result;
+}
+
+void leaveOutPointsInBarriers(const PolyDataSurface& surface, const LocatedPlaces& located,
+  double coordinatePrecision, SourcePolylines& read)
+{
+  const std::vector<RankAddress> barriers = barriersAt(surface, located, coordinatePrecision);
+  std::vector<bool> isRegion(read.ids.size(), false); // the first point may stand for all of one
+  for (const LocatedPolyline& face : read.faces)
+  {
+    isRegion[face.source] = true;
+  }
+  const auto isOut = [&](const LocatedPolyline& line)
+  {
+    return line.points.size() == 1 && !isRegion[line.source] &&
+      barriers[located.indexOf(line.points.front())].id != NoId;
+  };
+  std::vector<LocatedPolyline>& lines = read.polylines;
+  lines.erase(std::remove_if(lines.begin(), lines.end(), isOut), lines.end());
 }
 
 void requireOutsideBarriers(const PolyDataSurface& surface,

@@ -55,6 +55,21 @@ struct SourcePolylines
 SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface,
   bool areLinesJoined, PolylineLocator& locator, const Job& job);
 
+/// Reads sets of targets in the same way: all that has one value of PolyDataBlock::sourceIds is
+/// one, and what has a negative one is none.
+///
+/// \param name as messages call the input.
+/// \throws SourceError as readSource(); InputError if there is no target.
+SourcePolylines readTargetSets(
+  const std::vector<PolyDataBlock>& blocks, const PartName& name, const PolyDataSurface& surface);
+
+/// Leaves out the single points of polylines that lie in a barrier, where no path comes to. All
+/// ranks call this together.
+///
+/// \param located the points of the polylines.
+void leaveOutPointsInBarriers(const PolyDataSurface& surface, const LocatedPlaces& located,
+  double coordinatePrecision, SourcePolylines& read);
+
 /// Makes sure that no point of a source lies in a barrier: no path could leave it. All ranks call
 /// this together, and all throw.
 ///

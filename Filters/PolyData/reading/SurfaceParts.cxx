@@ -45,34 +45,33 @@ OnOutline nearestOnOutline(const std::array<Vec3, 3>& corners, const Vec3& place
 }
 
 /// Gives the corners of parts points.
-class PartCorners
+struct PartCorners
 {
-public:
-  PartCorners(const std::vector<Triangle>& triangles, const std::vector<Id>& same,
-    const std::vector<SurfaceBlock>& blocks, Id numberOfPoints, const std::vector<Vec3>& places)
-    : triangles_(triangles)
-    , same_(same)
-    , blocks_(blocks)
-    , numberOfPoints_(numberOfPoints)
-    , places_(places)
-  {
-  }
+  const std::vector<Triangle>& triangles;
+  const std::vector<Id>& same;
+  const std::vector<Vec3>& places;
+  /// To which cut points are added.
+  PolyDataSurface& surface;
+  /// The vertex of each of these.
+  std::vector<Id> cutVertices{};
+  std::map<std::pair<std::size_t, Id>, Id> pointAt{};
+  std::map<std::tuple<Id, Id, Id>, Id> cuts{};
 
   /// Makes a triangle's own points known to its block, for the parts of other triangles.
   void addOwnPoints(Id triangle)
   {
-    const Triangle points = pointsOfTriangle(this->blocks_, triangle);
+    const Triangle points = pointsOfTriangle(this->surface.blocks, triangle);
     const Triangle vertices = this->verticesOf(triangle);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      this->pointAt_.emplace(std::pair(this->blockOf(triangle), vertices[k]), points[k]);
+      this->pointAt.emplace(std::pair(this->blockOf(triangle), vertices[k]), points[k]);
     }
   }
 
   Triangle pointsOf(const Triangle& part, Id triangle)
   {
     const Triangle vertices = this->verticesOf(triangle);
-    Triangle points = pointsOfTriangle(this->blocks_, triangle);
+    Triangle points = pointsOfTriangle(this->surface.blocks, triangle);
     if (part != vertices)
     {
       const Triangle own = points;
@@ -84,20 +83,15 @@ public:
     return points;
   }
 
-  std::vector<CutPoint> cutPoints;
-  /// The vertex of each of these.
-  std::vector<Id> cutVertices;
-
-private:
   std::size_t blockOf(Id triangle) const
   {
-    return geodesic::blockOf(this->blocks_, triangle, &SurfaceBlock::firstTriangle);
+    return this->surface.blockOf(triangle, &SurfaceBlock::firstTriangle);
   }
 
   Triangle verticesOf(Id triangle) const
   {
-    const Triangle& t = this->triangles_[triangle];
-    return { this->same_[t[0]], this->same_[t[1]], this->same_[t[2]] };
+    const Triangle& t = this->triangles[triangle];
+    return { this->same[t[0]], this->same[t[1]], this->same[t[2]] };
   }
 
   Id pointOf(Id vertex, Id triangle, const Triangle& own, const Triangle& points)
@@ -107,16 +101,15 @@ private:
     {
       return points[static_cast<std::size_t>(corner)];
     }
-    const auto known = this->pointAt_.find({ this->blockOf(triangle), vertex });
-    return known != this->pointAt_.end() ? known->second : this->cutPointOf(vertex, own, points);
+    const auto known = this->pointAt.find({ this->blockOf(triangle), vertex });
+    return known != this->pointAt.end() ? known->second : this->cutPointOf(vertex, own, points);
   }
 
   /// The point at a vertex on an edge of a triangle, which its neighbor at the edge has, too.
   Id cutPointOf(Id vertex, const Triangle& own, const Triangle& points)
   {
-    const auto [k, fraction] =
-      nearestOnOutline({ this->places_[own[0]], this->places_[own[1]], this->places_[own[2]] },
-        this->places_[vertex]);
+    const auto [k, fraction] = nearestOnOutline(
+      { this->places[own[0]], this->places[own[1]], this->places[own[2]] }, this->places[vertex]);
     std::array<Id, 2> parents = { points[k], points[(k + 1) % 3] };
     double weight = fraction;
     if (parents[1] < parents[0])
@@ -124,24 +117,17 @@ private:
       std::swap(parents[0], parents[1]);
       weight = 1.0 - fraction;
     }
-    const auto next = this->numberOfPoints_ + static_cast<Id>(this->cutPoints.size());
+    const auto next =
+      this->surface.numberOfPoints + static_cast<Id>(this->surface.cutPoints.size());
     const auto [found, isNew] =
-      this->cuts_.emplace(std::tuple(parents[0], parents[1], vertex), next);
+      this->cuts.emplace(std::tuple(parents[0], parents[1], vertex), next);
     if (isNew)
     {
-      this->cutPoints.push_back({ parents, weight });
+      this->surface.cutPoints.push_back({ parents, weight });
       this->cutVertices.push_back(vertex);
     }
     return found->second;
   }
-
-  const std::vector<Triangle>& triangles_;
-  const std::vector<Id>& same_;
-  const std::vector<SurfaceBlock>& blocks_;
-  Id numberOfPoints_;
-  const std::vector<Vec3>& places_;
-  std::map<std::pair<std::size_t, Id>, Id> pointAt_;
-  std::map<std::tuple<Id, Id, Id>, Id> cuts_;
 };
 
 /// What faces without area leave, on vertices.
@@ -181,38 +167,34 @@ CutTriangles removeFlatFaces(const std::vector<Triangle>& triangles,
 
 } // anonymous namespace
 
-SurfaceParts cutTriangles(const std::vector<Triangle>& triangles, std::vector<TriangleRole> roles,
-  const std::vector<SurfaceBlock>& blocks, Id numberOfPoints, PieceVertices& vertices,
-  Exchange& exchange, const Job& job)
+void cutTriangles(const std::vector<Triangle>& triangles, Exchange& exchange,
+  PieceVertices& vertices, PolyDataSurface& surface, const Job& job)
 {
-  SurfaceParts parts;
   const CutTriangles cut =
-    removeFlatFaces(triangles, roles, numberOfPoints, vertices, exchange, job);
+    removeFlatFaces(triangles, surface.roles, surface.numberOfPoints, vertices, exchange, job);
   if (cut.isEmpty())
   {
-    parts.roles = std::move(roles);
-    return parts;
+    return;
   }
-  PartCorners corners(triangles, cut.same, blocks, numberOfPoints, vertices.positions);
-  const auto roleOf = [&](std::size_t i)
-  { return roles.empty() ? TriangleRole::Open : roles[cut.triangles[i]]; };
+  PartCorners corners{ triangles, cut.same, vertices.positions, surface };
+  const std::vector<TriangleRole> roles = std::move(surface.roles);
+  surface.roles.clear();
   for (std::size_t i = 0; i < cut.parts.size(); ++i)
   {
-    if (roleOf(i) == TriangleRole::Open && !cut.areFaces[i])
+    const TriangleRole role = roles.empty() ? TriangleRole::Open : roles[cut.triangles[i]];
+    const bool isSegment = role == TriangleRole::Open && !cut.areFaces[i];
+    surface.roles.push_back(isSegment ? TriangleRole::Segment : role);
+    if (isSegment)
     {
       corners.addOwnPoints(cut.triangles[i]);
     }
   }
   for (std::size_t i = 0; i < cut.parts.size(); ++i)
   {
-    const TriangleRole role = roleOf(i);
-    const bool isSegment = role == TriangleRole::Open && !cut.areFaces[i];
-    parts.roles.push_back(isSegment ? TriangleRole::Segment : role);
-    parts.corners.push_back(corners.pointsOf(cut.parts[i], cut.triangles[i]));
+    surface.corners.push_back(corners.pointsOf(cut.parts[i], cut.triangles[i]));
   }
-  parts.triangles = cut.triangles;
-  parts.cutPoints = std::move(corners.cutPoints);
-  vertices.of.append(numberOfPoints, corners.cutVertices);
+  surface.triangles = cut.triangles;
+  vertices.of.append(surface.numberOfPoints, corners.cutVertices);
   if (!vertices.labels.labels.empty())
   {
     // Vertices at which triangles of other ranks may be cut, too.
@@ -225,7 +207,6 @@ SurfaceParts cutTriangles(const std::vector<Triangle>& triangles, std::vector<Tr
     }
   }
   vertices.join(cut.same);
-  return parts;
 }
 
 }

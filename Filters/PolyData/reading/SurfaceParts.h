@@ -12,29 +12,18 @@
 namespace geodesic
 {
 
-/// What a surface's triangles are as parts: see PolyDataSurface.
-struct SurfaceParts
-{
-  std::vector<Triangle> corners;
-  std::vector<Id> triangles;
-  std::vector<CutPoint> cutPoints;
-  /// Empty if all are open.
-  std::vector<TriangleRole> roles;
-};
-
 /// Cuts triangles beside faces without area into parts. All ranks call this together.
 ///
 /// A part has points of its triangle's block at its corners: where a block has no point at a
 /// vertex, one is added between two of its own.
 ///
 /// \param triangles on vertices.
-/// \param roles of the triangles; empty if all are open.
-/// \param blocks with their triangles.
+/// \param exchange with the other ranks.
 /// \param vertices are joined where faces without area join them; cut points are added.
-/// \returns no corners if no triangle changes on this rank.
-SurfaceParts cutTriangles(const std::vector<Triangle>& triangles, std::vector<TriangleRole> roles,
-  const std::vector<SurfaceBlock>& blocks, Id numberOfPoints, PieceVertices& vertices,
-  Exchange& exchange, const Job& job);
+/// \param surface with its blocks, their triangles, and the roles of the triangles. Gets the parts
+///        and their roles, if a triangle changes on this rank.
+void cutTriangles(const std::vector<Triangle>& triangles, Exchange& exchange,
+  PieceVertices& vertices, PolyDataSurface& surface, const Job& job);
 
 }
 

@@ -4,7 +4,7 @@
 #include "PolyData/Hash.h"
 #include "PolyData/ranks/RankSeams.h"
 #include "PolyData/reading/Cracks.h"
-#include "PolyData/reading/SeamMerger.h"
+#include "PolyData/reading/Seams.h"
 #include "PolyData/reading/SurfaceParts.h"
 #include "PolyData/reading/SurfaceReaderOnRanks.h"
 #include "PolyData/reading/TriangleReader.h"
@@ -85,9 +85,6 @@ struct Faces
 {
   std::vector<Triangle> open;
   std::vector<Triangle> barriers;
-  /// See PolyDataSurface.
-  std::vector<Id> openParts;
-  std::vector<Id> barrierParts;
 };
 
 /// The faces that all blocks have, which may be none.
@@ -151,19 +148,14 @@ struct SurfaceReader
   const PointMerging merging;
   Exchange& exchange;
   const Job& job;
-  std::vector<SurfaceBlock> blocks{};
-  Id numberOfPoints = 0;
+  /// What is read so far. Its box is around the triangles of this rank.
+  PolyDataSurface surface{};
   /// Whether a point has a coordinate that is NaN or infinite.
   bool isAnyNotFinite = false;
   PieceVertices vertices{};
   TriangleList triangles{};
-  SurfaceParts parts{};
-  PowerOfTwoScale scale{};
-  /// Around the triangles; and the largest coordinate of the triangles of all ranks. Both are on
-  /// the mesh's scale.
-  Box box{};
+  /// Of the triangles of all ranks, on the mesh's scale.
   double largestCoordinate = 0.0;
-  SurfaceReport report{};
 
   PolyDataSurface read()
   {
@@ -180,7 +172,7 @@ struct SurfaceReader
         firstAtPlaces(this->vertices.positions, this->job.part(PointsRead, PointsMerged)));
     }
     this->triangles = readTriangles(this->inputs, this->vertices.of, numberOfFaces,
-      this->job.part(PointsMerged, TrianglesRead), this->blocks, this->report);
+      this->job.part(PointsMerged, TrianglesRead), this->surface.blocks, this->surface.report);
     this->requireFiniteCorners();
     if (this->isTrueOnAll(this->triangles.corners.empty()))
     {
@@ -193,18 +185,20 @@ struct SurfaceReader
     joining.reach(0.0);
     std::vector<double> precisions = this->storedPrecisions();
     this->scaleVertices();
-    joinRanks(this->inputs, this->blocks, this->merging.isWanted, this->exchange, this->vertices);
+    joinRanks(
+      this->inputs, this->surface.blocks, this->merging.isWanted, this->exchange, this->vertices);
     joining.reach(0.3);
     if (this->merging.isWanted)
     {
       this->joinSeams(std::move(precisions));
     }
     joining.reach(1.0);
-    std::vector<TriangleRole> roles = findRoles(
+    this->surface.roles = findRoles(
       this->inputs, this->vertices.labels, this->vertices.of, this->triangles, this->exchange);
-    keepTriangles(this->inputs, this->triangles, this->blocks);
-    this->makeParts(std::move(roles));
-    return this->makeSurface(this->takeFaces());
+    keepTriangles(this->inputs, this->triangles, this->surface.blocks);
+    this->makeParts();
+    this->makeMeshes(this->takeFaces());
+    return std::move(this->surface);
   }
 
   bool isTrueOnAll(bool condition) const { return !this->exchange.isTrueAnywhere(!condition); }
@@ -215,7 +209,7 @@ struct SurfaceReader
     vtkIdType count = 0;
     for (const PolyDataBlock& input : this->inputs)
     {
-      SurfaceBlock& block = this->blocks.emplace_back();
+      SurfaceBlock& block = this->surface.blocks.emplace_back();
       block.firstPoint = static_cast<Id>(count);
       block.numberOfPoints = static_cast<Id>(input.data->GetNumberOfPoints());
       count += input.data->GetNumberOfPoints();
@@ -225,8 +219,8 @@ struct SurfaceReader
           " points, more than 32-bit ids can number. Decimate it or cut it into parts.");
       }
     }
-    this->numberOfPoints = static_cast<Id>(count);
-    this->vertices.positions.resize(this->numberOfPoints);
+    this->surface.numberOfPoints = static_cast<Id>(count);
+    this->vertices.positions.resize(this->surface.numberOfPoints);
   }
 
   void readPoints(const Job& stretch)
@@ -235,11 +229,11 @@ struct SurfaceReader
     const auto readRange = [&](std::size_t begin, std::size_t end)
     {
       int areFinite = 1;
-      for (std::size_t block = 0; block < this->blocks.size(); ++block)
+      for (std::size_t block = 0; block < this->inputs.size(); ++block)
       {
         vtkPoints* points = this->inputs[block].data->GetPoints();
-        const std::size_t first = this->blocks[block].firstPoint;
-        const std::size_t last = std::min(end, first + this->blocks[block].numberOfPoints);
+        const std::size_t first = this->surface.blocks[block].firstPoint;
+        const std::size_t last = std::min(end, first + this->surface.blocks[block].numberOfPoints);
         for (std::size_t i = std::max(begin, first); i < last; ++i)
         {
           points->GetPoint(static_cast<vtkIdType>(i - first), positions[i].data());
@@ -257,15 +251,16 @@ struct SurfaceReader
   /// \throws MeshError if the corner of a triangle is not finite.
   void requireFiniteCorners() const
   {
-    for (std::size_t i = 0; this->isAnyNotFinite && i < this->blocks.size(); ++i)
+    for (std::size_t i = 0; this->isAnyNotFinite && i < this->inputs.size(); ++i)
     {
-      std::vector<char> isUsed(this->blocks[i].numberOfPoints, 0);
+      const SurfaceBlock& block = this->surface.blocks[i];
+      std::vector<char> isUsed(block.numberOfPoints, 0);
       for (std::size_t t = this->triangles.firstOfBlock[i]; t < this->triangles.firstOfBlock[i + 1];
            ++t)
       {
         for (const Id point : this->triangles.corners[t])
         {
-          isUsed[point - this->blocks[i].firstPoint] = 1;
+          isUsed[point - block.firstPoint] = 1;
         }
       }
       if (const std::string bad = whereNotFinite(this->inputs[i], isUsed.data()); !bad.empty())
@@ -292,22 +287,23 @@ struct SurfaceReader
   void scaleVertices()
   {
     const std::vector<Triangle>& corners = this->triangles.corners;
-    this->box = this->boxOf(corners, this->vertices.of);
+    Box& box = this->surface.box;
+    box = this->boxOf(corners, this->vertices.of);
     const double largest =
-      this->exchange.largestOf(corners.empty() ? 0.0 : this->box.largestCoordinate());
-    this->scale = requireScale(largest);
-    if (!this->scale.isOne() || this->isAnyNotFinite)
+      this->exchange.largestOf(corners.empty() ? 0.0 : box.largestCoordinate());
+    const PowerOfTwoScale scale = this->surface.scale = requireScale(largest);
+    if (!scale.isOne() || this->isAnyNotFinite)
     {
-      this->box = { this->scale.toEngine(this->box.low), this->scale.toEngine(this->box.high) };
+      box = { scale.toEngine(box.low), scale.toEngine(box.high) };
       for (Vec3& p : this->vertices.positions)
       {
         for (double& x : p)
         {
-          x = std::isnan(x) ? DBL_MAX : std::clamp(this->scale.toEngine(x), -DBL_MAX, DBL_MAX);
+          x = std::isnan(x) ? DBL_MAX : std::clamp(scale.toEngine(x), -DBL_MAX, DBL_MAX);
         }
       }
     }
-    this->largestCoordinate = this->scale.toEngine(largest);
+    this->largestCoordinate = scale.toEngine(largest);
   }
 
   /// The relative precision with which the coordinates of each block are stored. If all of double
@@ -335,20 +331,20 @@ struct SurfaceReader
   {
     const std::optional<std::uint64_t> joined =
       mergeSeams({ this->vertices, this->triangles, std::move(precisions), this->largestCoordinate,
-                   this->scale.toEngine(this->merging.tolerance) },
+                   this->surface.scale.toEngine(this->merging.tolerance) },
         this->exchange);
     if (!joined)
     {
       return;
     }
     // All ranks have counted the same.
-    this->report.joinedSeamPoints =
+    this->surface.report.joinedSeamPoints =
       this->exchange.rank() == 0 ? static_cast<vtkIdType>(*joined) : 0;
-    this->box = this->boxOf(this->triangles.corners, this->vertices.of);
+    this->surface.box = this->boxOf(this->triangles.corners, this->vertices.of);
   }
 
   /// From here on the triangles are parts, on vertices.
-  void makeParts(std::vector<TriangleRole> roles)
+  void makeParts()
   {
     std::vector<Triangle>& corners = this->triangles.corners;
     const auto toVertices = [&]
@@ -358,13 +354,14 @@ struct SurfaceReader
           [&](std::size_t i) { corners[i] = this->vertices.of(corners[i]); });
     };
     toVertices();
-    this->parts = cutTriangles(corners, std::move(roles), this->blocks, this->numberOfPoints,
-      this->vertices, this->exchange, this->job.part(SeamsJoined, SeamsJoined));
-    if (!this->parts.corners.empty())
+    cutTriangles(corners, this->exchange, this->vertices, this->surface,
+      this->job.part(SeamsJoined, SeamsJoined));
+    if (!this->surface.corners.empty())
     {
-      corners = this->parts.corners;
+      corners = this->surface.corners;
       toVertices();
     }
+    this->surface.numberOfParts = static_cast<Id>(corners.size());
   }
 
   /// Takes the faces. Those of the mesh reuse the memory of the triangles, which are gone then.
@@ -374,21 +371,22 @@ struct SurfaceReader
     faces.open = std::move(this->triangles.corners);
     this->triangles = {};
     std::vector<Triangle>& open = faces.open;
-    const std::vector<TriangleRole>& roles = this->parts.roles;
+    std::vector<Id>& openParts = this->surface.openParts;
+    const std::vector<TriangleRole>& roles = this->surface.roles;
     for (Id i = 0; i < roles.size(); ++i)
     {
       if (roles[i] == TriangleRole::Open)
       {
-        open[faces.openParts.size()] = open[i];
-        faces.openParts.push_back(i);
+        open[openParts.size()] = open[i];
+        openParts.push_back(i);
       }
       else if (roles[i] == TriangleRole::Barrier)
       {
         faces.barriers.push_back(open[i]);
-        faces.barrierParts.push_back(i);
+        this->surface.barrierParts.push_back(i);
       }
     }
-    open.resize(roles.empty() ? open.size() : faces.openParts.size());
+    open.resize(roles.empty() ? open.size() : openParts.size());
     return faces;
   }
 
@@ -396,8 +394,8 @@ struct SurfaceReader
   /// may lie anywhere.
   Box boxOf(const Faces& faces) const
   {
-    Box whole = this->box;
-    if (!this->parts.roles.empty())
+    Box whole = this->surface.box;
+    if (!this->surface.roles.empty())
     {
       whole = this->boxOf(faces.open, {});
       whole.add(this->boxOf(faces.barriers, {}));
@@ -406,23 +404,22 @@ struct SurfaceReader
   }
 
   /// Makes the meshes of the open faces and of the barriers.
-  PolyDataSurface makeSurface(Faces faces)
+  void makeMeshes(Faces faces)
   {
-    const auto numberOfParts = this->parts.roles.empty()
-      ? static_cast<Id>(faces.open.size())
-      : static_cast<Id>(this->parts.roles.size());
-    const Box whole = this->boxOf(faces);
-    const double diagonal = norm(whole.high - whole.low);
-    const std::size_t count = this->vertices.positions.size();
-    std::vector<Id> inBarriers = numberUsedVertices(faces.barriers, count);
+    this->surface.box = this->boxOf(faces);
+    this->surface.diagonal = norm(this->surface.box.high - this->surface.box.low);
+    std::vector<Id>& inBarriers = this->surface.barrierVertices;
+    inBarriers = numberUsedVertices(faces.barriers, this->vertices.positions.size());
     std::vector<Vec3> barrierPoints;
     std::vector<std::uint64_t> barrierKeys;
     this->vertices.copy(inBarriers, barrierPoints, barrierKeys);
     std::vector<std::uint64_t> keys;
     std::vector<Id> numbers = keepUsedVertices(faces.open, this->exchange, this->vertices, keys);
-    BorrowedValues elsewhere = findValuesElsewhere(this->vertices.labels, numbers, this->exchange);
+    this->surface.valuesElsewhere =
+      findValuesElsewhere(this->vertices.labels, numbers, this->exchange);
     this->vertices.labels = {};
-    MeshPartition partition(std::move(this->vertices.positions), faces.open, keys, this->exchange,
+    MeshPartition& partition = this->surface.partition;
+    partition = MeshPartition(std::move(this->vertices.positions), faces.open, keys, this->exchange,
       this->job.part(SeamsJoined, 1.0));
     Id next = partition.mesh().numberOfVertices();
     for (Id& number : numbers)
@@ -433,37 +430,18 @@ struct SurfaceReader
     {
       vertex = numbers.empty() ? vertex : numbers[vertex];
     }
-    std::unique_ptr<BarrierFaces> barriers;
     if (this->exchange.isTrueAnywhere(!faces.barriers.empty()))
     {
-      barriers = std::make_unique<BarrierFaces>(partition,
+      this->surface.barriers = std::make_unique<BarrierFaces>(partition,
         MeshPartition(std::move(barrierPoints), faces.barriers, barrierKeys, this->exchange));
     }
     this->vertices.of.renumber(std::move(numbers));
+    this->surface.vertexOf = std::move(this->vertices.of);
     if (this->merging.isWanted)
     {
-      findCracks(partition, diagonal, this->report);
+      findCracks(partition, this->surface.diagonal, this->surface.report);
     }
-    const SurfaceReport ofAllRanks = reportOfRanks(this->report, partition);
-    PolyDataSurface surface(std::move(partition));
-    surface.valuesElsewhere = std::move(elsewhere);
-    surface.barriers = std::move(barriers);
-    surface.barrierVertices = std::move(inBarriers);
-    surface.vertexOf = std::move(this->vertices.of);
-    surface.blocks = std::move(this->blocks);
-    surface.numberOfPoints = this->numberOfPoints;
-    surface.corners = std::move(this->parts.corners);
-    surface.triangles = std::move(this->parts.triangles);
-    surface.cutPoints = std::move(this->parts.cutPoints);
-    surface.numberOfParts = numberOfParts;
-    surface.roles = std::move(this->parts.roles);
-    surface.openParts = std::move(faces.openParts);
-    surface.barrierParts = std::move(faces.barrierParts);
-    surface.scale = this->scale;
-    surface.box = whole;
-    surface.diagonal = diagonal;
-    surface.report = ofAllRanks;
-    return surface;
+    this->surface.report = reportOfRanks(this->surface.report, partition);
   }
 };
 

@@ -15,10 +15,10 @@ namespace
 {
 
 /// A global id and a vertex for each point; empty if points of any rank have no global ids.
-std::vector<std::pair<std::int64_t, Id>> globalIds(const std::vector<PolyDataBlock>& inputs,
+std::vector<KeyedVertex> globalIds(const std::vector<PolyDataBlock>& inputs,
   const std::vector<SurfaceBlock>& blocks, const VertexOfPoint& vertexOf, Exchange& exchange)
 {
-  std::vector<std::pair<std::int64_t, Id>> ids;
+  std::vector<KeyedVertex> ids;
   bool isComplete = true;
   for (std::size_t block = 0; block < blocks.size() && isComplete; ++block)
   {
@@ -32,8 +32,8 @@ std::vector<std::pair<std::int64_t, Id>> globalIds(const std::vector<PolyDataBlo
     isComplete = count == 0 || (array && array->GetNumberOfTuples() >= count);
     for (vtkIdType i = 0; i < count && isComplete; ++i)
     {
-      ids.emplace_back(static_cast<std::int64_t>(array->GetComponent(i, 0)),
-        vertexOf(blocks[block].firstPoint + static_cast<Id>(i)));
+      ids.push_back({ { array->GetComponent(i, 0), 0.0, 0.0, 1.0 },
+        vertexOf(blocks[block].firstPoint + static_cast<Id>(i)) });
     }
   }
   if (exchange.isTrueAnywhere(!isComplete))

@@ -4,7 +4,6 @@
 #include "Errors.h"
 #include "PolyData/Memory.h"
 #include "PolyData/ranks/BorrowedValues.h"
-#include "PolyData/writing/RefinedSurface.h"
 #include "Trigonometry.h"
 #include "refinement/RefinedOnRanks.h"
 #include "source/CurvesOnPatch.h"
@@ -248,11 +247,10 @@ ValuesAtPoints SourceArrays::atVertices(
   return values;
 }
 
-ValuesAtPoints SourceArrays::atNewPoints(const RefinedSurface& refined,
-  const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
-  const Job& job) const
+ValuesAtPoints SourceArrays::atNewPoints(const RefinedMesh& refined, const DistanceField& computed,
+  const DistanceField& exact, NearestSource& nearest, const Job& job) const
 {
-  const std::vector<RefinedPoint>& points = refined.mesh.points;
+  const std::vector<RefinedPoint>& points = refined.points;
   const std::size_t count = refined.numberOfPointsWithPlaces();
   const auto at = [&](std::size_t i)
   {

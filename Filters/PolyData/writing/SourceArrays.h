@@ -16,7 +16,7 @@ class vtkPolyData;
 namespace geodesic
 {
 
-struct RefinedSurface;
+struct RefinedMesh;
 
 /// Which arrays beside the distance are asked for.
 struct SourceArrayChoice
@@ -103,7 +103,7 @@ struct SourceArrays
   /// that knows them best. All ranks call this together.
   ///
   /// \param exact the field that feet are of, with arrivals; the computed one or another.
-  ValuesAtPoints atNewPoints(const RefinedSurface& refined, const DistanceField& computed,
+  ValuesAtPoints atNewPoints(const RefinedMesh& refined, const DistanceField& computed,
     const DistanceField& exact, NearestSource& nearest, const Job& job) const;
 
   /// Adds the arrays of one block to its points: those of the input, then those that were added.

@@ -3,9 +3,11 @@
 #define geodesic_UnmeshedTriangles_h
 
 #include "PolyData/reading/PolyDataSurface.h"
+#include "refinement/RefinedMesh.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <unordered_map>
 #include <vector>
 
@@ -92,6 +94,27 @@ private:
   std::vector<GlobalVertex> remote_;
   std::vector<UnmeshedTriangle> triangles_;
 };
+
+/// Adds the triangles of a surface that are not faces of its mesh.
+///
+/// The mesh has one of several faces on the same vertices, the surface has all of them: the others
+/// get the parts of the first, which any rank may own, so that they still fit to their neighbors.
+/// If all ranks together would have more than maximumFaces triangles (0: no limit), they stay
+/// whole. Copies by ghost arrays do not count, and always look like their originals.
+///
+/// Barriers and segments are cut where refinement has split edges of faces there, and are whole
+/// elsewhere. No other points are added to them: they have no distances inside.
+///
+/// All ranks call this together.
+///
+/// \param cornerPoints those of the refinement.
+/// \param vertexDistances of the mesh's vertices, for the surface's cut points.
+/// \param refined what refinement made.
+/// \returns all triangles of the surface, before it is divided into blocks. Its faces have numbers
+///          of the surface's triangles.
+RefinedMesh addUnmeshedTriangles(const UnmeshedTriangles& unmeshed, std::uint64_t maximumFaces,
+  const std::vector<Triangle>& cornerPoints, const std::vector<double>& vertexDistances,
+  RefinedMesh refined);
 
 }
 

@@ -60,6 +60,30 @@ double lengthOf(
   return length;
 }
 
+geodesic::SourceCurve sideOf(const geodesic::TriangleMesh& mesh, std::size_t axis)
+{
+  std::vector<std::pair<double, geodesic::Id>> vertices;
+  for (geodesic::Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    if (mesh.point(vertex)[axis] == 0.0)
+    {
+      vertices.emplace_back(mesh.point(vertex)[1 - axis], vertex);
+    }
+  }
+  std::sort(vertices.begin(), vertices.end());
+  geodesic::SourceCurve side;
+  for (const auto& [along, vertex] : vertices)
+  {
+    side.points.push_back(geodesic::SurfacePoint::atVertex(vertex));
+    side.isCut.push_back(0);
+  }
+  for (std::size_t i = 0; i + 1 < side.points.size(); ++i)
+  {
+    side.faces.push_back(geodesic::commonFace(mesh, side.points[i], side.points[i + 1]));
+  }
+  return side;
+}
+
 void expectChordsInFaces(const geodesic::TriangleMesh& mesh, const geodesic::Isolines& isolines)
 {
   for (const geodesic::Isoline& line : isolines.lines)

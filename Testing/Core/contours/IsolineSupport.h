@@ -28,6 +28,9 @@ geodesic::Isolines isolinesOf(const geodesic::TriangleMesh& mesh,
 std::vector<double> randomValues(const std::vector<double>& distances, double largest,
   const std::vector<double>& leastShares, Random& random);
 
+/// The side of a flat rectangle where a coordinate is zero.
+geodesic::SourceCurve sideOf(const geodesic::TriangleMesh& mesh, std::size_t axis);
+
 /// The length of a line, chord by chord.
 double lengthOf(
   const geodesic::TriangleMesh& mesh, const geodesic::Isolines& isolines, std::size_t line);

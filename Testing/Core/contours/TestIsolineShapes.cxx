@@ -98,16 +98,9 @@ TEST(Isolines, RoundAPointOfAPlaneAreCircles)
   const PlainMesh plain = randomPlanar(12, 12, random);
   const TriangleMesh mesh = engineMesh(plain);
   const double tolerance = 1e-5;
-  MeshPoint center{ 0, { 0.3, 0.3, 0.4 } };
-  for (Index f = 0; f < plain.triangles.size(); ++f)
-  {
-    const Vec3 p = position(plain, { f, { 0.3, 0.3, 0.4 } });
-    const Vec3 c = position(plain, center);
-    center.face =
-      std::hypot(p[0] - 6.0, p[1] - 6.0) < std::hypot(c[0] - 6.0, c[1] - 6.0) ? f : center.face;
-  }
-  Sources source;
-  source.points = { center };
+  Sources source; // beside the vertex in the middle
+  source.points = { { TriangleMesh::faceOf(*mesh.cornersAt(6 * 13 + 6).begin()),
+    { 0.3, 0.3, 0.4 } } };
   // The least one lies inside a face.
   const std::vector<double> values = { 0.01, 0.1, 1.0, 2.5, 4.0 };
   const Isolines isolines = isolinesOf(mesh, engineCurves(mesh, source), values, tolerance);
@@ -161,9 +154,7 @@ TEST(Isolines, SmallerThanTheToleranceHaveThreeCornersAtLeast)
 {
   const PlainMesh plain = oneFace();
   const TriangleMesh mesh = engineMesh(plain);
-  geodesic::SourceCurve source;
-  source.points = { enginePoint(mesh, inOneFace(1.0, 1.0)) };
-  source.isCut = { 0 };
+  const geodesic::SourceCurve source = geodesic::pointCurve(enginePoint(mesh, inOneFace(1.0, 1.0)));
   const Isolines isolines = isolinesOf(mesh, { source }, { 0.5 }, 2.0);
   ASSERT_EQ(isolines.lines.size(), 1U);
   EXPECT_TRUE(isolines.lines[0].isClosed());
@@ -222,35 +213,14 @@ TEST(Isolines, OnAPrismAreThoseOfTheUnrolledStrip)
   const Index sides = 9;
   const PlainMesh plain = openCylinder(sides, 8, 8.0);
   const TriangleMesh mesh = engineMesh(plain);
-  // The line around the prism is straight, at equal height over the lower rim.
-  const std::vector<double> heights = { 0.7, 3.0, 5.1 };
-  std::vector<Polyline> rim(1);
-  for (const auto& edge : boundaryEdges(plain))
-  {
-    for (Index f = 0; f < plain.triangles.size(); ++f)
-    {
-      for (Index k = 0; k < 3; ++k)
-      {
-        const Index a = plain.triangles[f][k];
-        const Index b = plain.triangles[f][(k + 1) % 3];
-        const bool isEdge = std::minmax(a, b) == std::minmax(edge.first, edge.second);
-        if (isEdge && std::abs(plain.points[a][2] - plain.points[0][2]) < 1e-9)
-        {
-          MeshSegment segment{ f, {}, {} };
-          segment.from[k] = 1.0;
-          segment.to[(k + 1) % 3] = 1.0;
-          rim.push_back({ { segment }, {} });
-        }
-      }
-    }
-  }
-  rim.erase(rim.begin());
-  ASSERT_EQ(rim.size(), sides);
-  const Isolines rings = isolinesOf(mesh, engineCurves(mesh, rim), heights, 1e-6);
+  // The lines around the prism are straight, at equal heights over the lower rim and below the
+  // upper.
+  const std::vector<double> heights = { 0.7, 3.0, 3.9 };
+  const Isolines rings = isolinesOf(mesh, engineCurves(mesh, boundarySources(mesh)), heights, 1e-6);
   for (std::size_t i = 0; i < heights.size(); ++i)
   {
-    EXPECT_TRUE(countLines(rings, i) == (LineCount{ 0, 1 }));
-    EXPECT_NEAR(totalLength(mesh, rings, i), sides, 1e-10);
+    EXPECT_TRUE(countLines(rings, i) == (LineCount{ 0, 2 }));
+    EXPECT_NEAR(totalLength(mesh, rings, i), 2.0 * sides, 1e-10);
   }
 }
 
@@ -262,9 +232,7 @@ TEST(Isolines, RoundTheApexOfAConeSpanItsAngle)
     const PlainMesh plain = fan(sectors, angle, 6);
     const TriangleMesh mesh = engineMesh(plain);
     const std::vector<double> values = { 0.05, 0.5, 0.9 };
-    geodesic::SourceCurve apex;
-    apex.points = { SurfacePoint::atVertex(0) };
-    apex.isCut = { 0 };
+    const geodesic::SourceCurve apex = geodesic::pointCurve(SurfacePoint::atVertex(0));
     const Isolines isolines = isolinesOf(mesh, { apex }, values, 1e-6);
     for (std::size_t i = 0; i < values.size(); ++i)
     {
@@ -276,46 +244,19 @@ TEST(Isolines, RoundTheApexOfAConeSpanItsAngle)
 
 TEST(Isolines, AtTheExactDistancesOfVerticesPassThemOnOneSide)
 {
-  const PlainMesh plain = regularGrid(8, 6);
-  const TriangleMesh mesh = engineMesh(plain);
-  geodesic::SourceCurve side;
-  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
-  {
-    if (mesh.point(vertex)[0] == 0.0)
-    {
-      side.points.push_back(SurfacePoint::atVertex(vertex));
-      side.isCut.push_back(0);
-    }
-  }
-  const double step = mesh.point(side.points[1].id)[1] - mesh.point(side.points[0].id)[1];
-  ASSERT_GT(step, 0.0);
-  for (std::size_t i = 0; i + 1 < side.points.size(); ++i)
-  {
-    side.faces.push_back(geodesic::commonFace(mesh, side.points[i], side.points[i + 1]));
-  }
+  const TriangleMesh mesh = engineMesh(regularGrid(8, 6));
   // Every line runs along a column of mesh edges; the last column is the largest distance.
-  std::vector<double> values;
-  double largest = 0.0;
-  double height = 0.0;
-  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
-  {
-    largest = std::max(largest, mesh.point(vertex)[0]);
-    height = std::max(height, mesh.point(vertex)[1]);
-    values.push_back(mesh.point(vertex)[0]);
-  }
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  values.erase(values.begin()); // 0
-  const Isolines isolines = isolinesOf(mesh, { side }, values, 1e-4);
+  const std::vector<double> values = { 1, 2, 3, 4, 5, 6, 7, 8 };
+  const Isolines isolines = isolinesOf(mesh, { sideOf(mesh, 0) }, values, 1e-4);
   ASSERT_EQ(isolines.lines.size(), values.size());
   expectChordsInFaces(mesh, isolines);
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     EXPECT_FALSE(isolines.lines[i].isClosed());
-    EXPECT_NEAR(lengthOf(mesh, isolines, i), height, 1e-11);
+    EXPECT_NEAR(lengthOf(mesh, isolines, i), 6.0, 1e-11);
     for (const Id point : isolines.lines[i].points)
     {
-      EXPECT_NEAR(geodesic::position(mesh, isolines.points[point])[0], values[i], 1e-12 * largest);
+      EXPECT_NEAR(geodesic::position(mesh, isolines.points[point])[0], values[i], 8e-12);
     }
   }
 }
@@ -346,36 +287,9 @@ TEST(Isolines, EndInSharedPointsWhereSeveralPagesMeet)
   const PlainMesh plain = book(pages, 6, 5, 0.0, random);
   const TriangleMesh mesh = engineMesh(plain);
   ASSERT_GT(mesh.numberOfNonManifoldEdges(), 0U);
-  std::vector<Vec3> spine;
-  for (Id h = 0; h < mesh.numberOfHalfedges(); ++h)
-  {
-    if (!mesh.isBoundary(h) && !mesh.isInner(h))
-    {
-      spine.push_back(mesh.point(mesh.origin(h)));
-      spine.push_back(mesh.point(mesh.destination(h)));
-    }
-  }
-  const auto less = [](const Vec3& a, const Vec3& b) { return a < b; };
-  const auto corners = std::minmax_element(spine.begin(), spine.end(), less);
-  // On one page, near the middle of the spine.
-  MeshPoint source{ 0, { 0.3, 0.3, 0.4 } };
-  const auto beside = [&](Index face)
-  {
-    const Vec3 p = position(plain, { face, { 0.3, 0.3, 0.4 } });
-    return spaceDistance(p, *corners.first) + spaceDistance(p, *corners.second);
-  };
-  for (Index f = 0; f < 60; ++f)
-  {
-    const Vec3 p = position(plain, { f, { 0.3, 0.3, 0.4 } });
-    const bool isInTheMiddle =
-      std::abs(spaceDistance(p, *corners.first) - spaceDistance(p, *corners.second)) < 1.0;
-    if (isInTheMiddle && beside(f) < beside(source.face))
-    {
-      source.face = f;
-    }
-  }
+  // On one page, at an edge in the middle of the spine, whose vertices are the first ones.
   Sources sources;
-  sources.points = { source };
+  sources.points = { { TriangleMesh::faceOf(mesh.halfedgeBetween(3, 4)), { 0.3, 0.3, 0.4 } } };
   const Isolines isolines = isolinesOf(mesh, engineCurves(mesh, sources), { 1.5 }, 1e-4);
   EXPECT_TRUE(countLines(isolines, 0) == (LineCount{ pages, 0 }));
   std::set<Id> ends;
@@ -425,9 +339,7 @@ TEST(Isolines, BeyondTheLargestDistanceAndOnOtherComponentsAreNone)
 TEST(Isolines, RefuseWrongValuesAndToleranceAndFieldsWithoutWindows)
 {
   const TriangleMesh mesh = engineMesh(octasphere(12));
-  geodesic::SourceCurve point;
-  point.points = { SurfacePoint::atVertex(0) };
-  point.isCut = { 0 };
+  const geodesic::SourceCurve point = geodesic::pointCurve(SurfacePoint::atVertex(0));
   const geodesic::DistanceField field =
     geodesic::solve(mesh, { point }, {}, geodesic::KeepWindows::All);
   const auto draw = [&](const std::vector<double>& values, double tolerance)
@@ -453,20 +365,6 @@ TEST(Isolines, RefuseWrongValuesAndToleranceAndFieldsWithoutWindows)
   // Windows kept for another value are not the ones that this value needs.
   EXPECT_THROW(
     geodesic::drawIsolines(solveForIsolines(mesh, { point }, { 0.9 }), options), geodesic::Error);
-}
-
-TEST(Isolines, StopWhereTheirWatcherAsksForIt)
-{
-  const TriangleMesh mesh = engineMesh(octasphere(12));
-  geodesic::SourceCurve point;
-  point.points = { SurfacePoint::atVertex(0) };
-  point.isCut = { 0 };
-  geodesic::IsolineOptions options;
-  options.values = { 0.5, 1.0 };
-  options.chordTolerance = 1e-3;
-  options.job = Job([](double) { return false; });
-  EXPECT_THROW(geodesic::drawIsolines(solveForIsolines(mesh, { point }, options.values), options),
-    geodesic::Aborted);
 }
 
 class IsolinesOfKinds : public ::testing::TestWithParam<MeshKind>
@@ -523,35 +421,12 @@ TEST_P(IsolinesOfKinds, GrowToTheLeftHaveOnePointAnEdgeAndNeedOnlyTheWindowsKept
 INSTANTIATE_TEST_SUITE_P(Kinds, IsolinesOfKinds, ::testing::ValuesIn(meshKinds()),
   [](const auto& instance) { return std::string(instance.param.name); });
 
-TEST(IsolinesParallel, AreTheSameOnThreads)
-{
-  Random random(11);
-  const PlainMesh plain = bumpySheet(40, 40, 3, 0.6, random);
-  const TriangleMesh mesh = engineMesh(plain);
-  const std::vector<geodesic::SourceCurve> curves =
-    engineCurves(mesh, CurveMaker(plain, random).anySource());
-  const std::vector<double> values = { 1.0, 4.0, 9.0, 16.0 };
-  geodesic::IsolineOptions options;
-  options.values = values;
-  options.chordTolerance = 1e-3;
-  const Isolines one = geodesic::drawIsolines(solveForIsolines(mesh, curves, values), options);
-  geodesic::FrontOptions front;
-  front.job = Job({}, onThreads);
-  options.job = Job({}, onThreads);
-  const Isolines three =
-    geodesic::drawIsolines(solveForIsolines(mesh, curves, values, front), options);
-  EXPECT_FALSE(one.lines.empty());
-  EXPECT_TRUE(placesOf(one) == placesOf(three));
-}
-
 TEST(IsolinesWithoutDirection, AreCountedWhereFacesAreTurned)
 {
   Random random(12);
   const PlainMesh sheet = regularGrid(6, 6);
   const TriangleMesh turned = engineMesh(withFlippedFaces(sheet, random));
-  geodesic::SourceCurve point;
-  point.points = { SurfacePoint::atVertex(0) };
-  point.isCut = { 0 };
+  const geodesic::SourceCurve point = geodesic::pointCurve(SurfacePoint::atVertex(0));
   EXPECT_EQ(isolinesOf(turned, { point }, { 2.7 }, 1e-3).linesWithoutDirection, 1U);
   EXPECT_EQ(isolinesOf(engineMesh(sheet), { point }, { 2.7 }, 1e-3).linesWithoutDirection, 0U);
 }

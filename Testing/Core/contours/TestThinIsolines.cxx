@@ -117,31 +117,6 @@ MeshPoint anyPlace(const PlainMesh& mesh, Random& random)
   }
 }
 
-/// The side of the rectangle where a coordinate is zero.
-geodesic::SourceCurve sideOf(const TriangleMesh& mesh, std::size_t axis)
-{
-  std::vector<std::pair<double, Id>> vertices;
-  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
-  {
-    if (mesh.point(vertex)[axis] == 0.0)
-    {
-      vertices.emplace_back(mesh.point(vertex)[1 - axis], vertex);
-    }
-  }
-  std::sort(vertices.begin(), vertices.end());
-  geodesic::SourceCurve side;
-  for (const auto& [along, vertex] : vertices)
-  {
-    side.points.push_back(geodesic::SurfacePoint::atVertex(vertex));
-    side.isCut.push_back(0);
-  }
-  for (std::size_t i = 0; i + 1 < side.points.size(); ++i)
-  {
-    side.faces.push_back(geodesic::commonFace(mesh, side.points[i], side.points[i + 1]));
-  }
-  return side;
-}
-
 /// The length that lines cover along an axis, back and forth.
 double wayAlong(const TriangleMesh& mesh, const Isolines& isolines, std::size_t axis)
 {
@@ -235,9 +210,8 @@ TEST(ThinIsolines, RoundAPointAreWholeArcsOfItsCircle)
     Strip strip(Thinnest, random);
     strip.plain = withoutFlatFaces(strip.plain).mesh;
     const TriangleMesh mesh = engineMesh(strip.plain);
-    geodesic::SourceCurve source;
-    source.points = { enginePoint(mesh, anyPlace(strip.plain, random)) };
-    source.isCut = { 0 };
+    const geodesic::SourceCurve source =
+      geodesic::pointCurve(enginePoint(mesh, anyPlace(strip.plain, random)));
     const double least = std::max(1e-8 * strip.width, 0.1 * strip.height);
     const double radius = random.chance(0.7)
       ? strip.width * random.uniform(0.05, 0.98)

@@ -6,7 +6,6 @@
 
 #include "Errors.h"
 #include "front/Front.h"
-#include "window/WindowSupport.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +19,6 @@
 using namespace geodesictest;
 using geodesic::DistanceField;
 using geodesic::TriangleMesh;
-using geodesic::Window;
 
 namespace
 {
@@ -130,102 +128,6 @@ TEST(Approximate, NegativeInfiniteOrNanEpsilonIsRefused)
     { -1e-3, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
   {
     EXPECT_THROW(solveKeepingAll(mesh, fromFirstVertex, epsilon), geodesic::Error);
-  }
-}
-
-TEST(Approximate, MergedWindowsMeetTheOriginalsAtTheEndsAndAreNowhereAbove)
-{
-  Random random(17);
-  int merges = 0;
-  for (int i = 0; i < 20000; ++i)
-  {
-    // Two pencils that agree at the joint, where the kink closes.
-    const double joint = random.uniform(0.2, 0.8);
-    const auto pencil = [&](double begin, double end)
-    {
-      const bool linear = random.chance(0.3);
-      Window w{};
-      w.begin = begin;
-      w.end = end;
-      w.kind = linear ? Window::Kind::Linear : Window::Kind::Circular;
-      w.sourceX = linear ? random.uniform(-0.9, 0.9) : random.uniform(-3.0, 4.0);
-      w.sourceDepth = linear ? std::sqrt(1.0 - w.sourceX * w.sourceX) : random.uniform(0.5, 4.0);
-      w.sigma = 0.0;
-      w.sigma = 6.0 - w.distance(joint);
-      return w;
-    };
-    const Window left = pencil(0.0, joint);
-    const Window right = pencil(joint, 1.0);
-    if ((left.sigma < 0.0 && !left.isLinear()) || (right.sigma < 0.0 && !right.isLinear()))
-    {
-      continue;
-    }
-    std::vector<Window> windows = { left, right };
-    const double epsilon = 0.3;
-    const double reported = mergeNeighbours(windows, 1.0, epsilon);
-    if (windows.size() != 1)
-    {
-      continue;
-    }
-    ++merges;
-    const Window& merged = windows[0];
-    EXPECT_LE(reported, epsilon);
-    EXPECT_NEAR(merged.distance(0.0), left.distance(0.0), 1e-12);
-    EXPECT_NEAR(merged.distance(1.0), right.distance(1.0), 1e-12);
-    for (int k = 0; k <= 100; ++k)
-    {
-      const double x = 0.01 * k;
-      const double original = x <= joint ? left.distance(x) : right.distance(x);
-      EXPECT_LE(merged.distance(x), original + 1e-12);
-      EXPECT_LE(original, merged.distance(x) + merged.error + 1e-12);
-    }
-  }
-  EXPECT_GT(merges, 1000);
-}
-
-// The errors of a chain of merges add up, and the limit is for their sum.
-TEST(Approximate, ManyNeighboursStayWithinTheLimitOfWhatIsMerged)
-{
-  Random random(18);
-  for (int i = 0; i < 300; ++i)
-  {
-    std::vector<Window> original;
-    const int count = 40;
-    double before = 0.0;
-    for (int k = 0; k < count; ++k)
-    {
-      // sources that go round, so that kinks close and distances agree at the joints
-      Window w{};
-      w.kind = Window::Kind::Circular;
-      w.begin = static_cast<double>(k) / count;
-      w.end = static_cast<double>(k + 1) / count;
-      w.sourceX = 0.5 - 0.02 * k + random.uniform(-0.01, 0.01);
-      w.sourceDepth = random.uniform(1.9, 2.1);
-      w.sigma = 0.0;
-      w.sigma = (k == 0 ? 5.0 : before) - w.distance(w.begin);
-      before = w.distance(w.end);
-      original.push_back(w);
-    }
-    const double epsilon = 0.1;
-    std::size_t fewer = 0;
-    for (const double limit : { geodesic::Infinity, 1e-3, 1e-4, 1e-6, 0.0 })
-    {
-      std::vector<Window> windows = original;
-      mergeNeighbours(windows, 1.0, epsilon, limit);
-      EXPECT_GE(windows.size(), fewer) << "a smaller limit merges no more";
-      fewer = windows.size();
-      for (const Window& w : original)
-      {
-        for (const double x : { w.begin, 0.5 * (w.begin + w.end), w.end })
-        {
-          const auto merged = std::find_if(
-            windows.begin(), windows.end(), [x](const Window& m) { return x <= m.end; });
-          ASSERT_NE(merged, windows.end());
-          EXPECT_LE(w.distance(x) - merged->distance(x), limit + 1e-13);
-        }
-      }
-      EXPECT_TRUE(limit < geodesic::Infinity || windows.size() < 5);
-    }
   }
 }
 

@@ -544,9 +544,7 @@ TEST(Property, TheSourceMustNotBeEmpty)
 TEST(Property, TheCallerCanStopTheSolveAndSeesHowFarItIs)
 {
   const geodesic::TriangleMesh mesh = engineMesh(regularGrid(250, 250));
-  geodesic::SourceCurve corner;
-  corner.points = { geodesic::SurfacePoint::atVertex(0) };
-  corner.isCut = { 0 };
+  const geodesic::SourceCurve corner = geodesic::pointCurve(geodesic::SurfacePoint::atVertex(0));
   geodesic::FrontOptions options;
   double last = 0.0;
   int calls = 0;

@@ -43,9 +43,8 @@ protected:
     for (int i = 0; i < 4; ++i)
     {
       vertices.push_back(random.below(mesh.points.size()));
-      geodesic::SourceCurve source;
-      source.points = { geodesic::SurfacePoint::atVertex(vertices.back()) };
-      source.isCut = { 0 };
+      const geodesic::SourceCurve source =
+        geodesic::pointCurve(geodesic::SurfacePoint::atVertex(vertices.back()));
       fields.push_back(geodesic::solve(engine, { source }).vertexDistances());
     }
     for (std::size_t i = 0; i < vertices.size(); ++i)

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edges that are shorter than the rounding of the other edges of their faces, because their ends
-// nearly coincide. GEODESIC_TEST_SEEDS takes other seeds.
+// nearly coincide, and edges without length. GEODESIC_TEST_SEEDS takes other seeds.
 #include "EngineSupport.h"
 #include "Seeds.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <future>
 #include <iostream>
 #include <map>
 #include <string>
+#include <thread>
 
 using namespace geodesictest;
 
@@ -242,3 +246,47 @@ TEST(TinyEdgesFound, AWedgeIsMeasuredAroundAllVerticesAtItsPlace)
 
 INSTANTIATE_TEST_SUITE_P(Kinds, TinyEdges, ::testing::ValuesIn(meshKinds()),
   [](const auto& instance) { return std::string(instance.param.name); });
+
+namespace
+{
+
+/// Runs a function and ends the program where it takes longer than a minute.
+template <typename Run>
+auto withinAMinute(Run run)
+{
+  std::packaged_task<decltype(run())()> task(std::move(run));
+  auto result = task.get_future();
+  std::thread thread(std::move(task));
+  if (result.wait_for(std::chrono::minutes(1)) != std::future_status::ready)
+  {
+    std::cout << "[  FAILED  ] no end within a minute" << std::endl;
+    std::_Exit(EXIT_FAILURE); // nothing else stops the thread
+  }
+  thread.join();
+  return result.get();
+}
+
+}
+
+// Every second column lies where the last one does, so that edges across have no length, and from
+// many vertices nothing is within the batch width but what is equally far. The surface is a flat
+// strip still.
+TEST(EdgesWithoutLength, LeaveDistancesAsTheyAreAndTheFrontEnds)
+{
+  for (Random& random : EachSeed(20))
+  {
+    PlainMesh mesh = renumbered(regularGrid(40, 40), random).mesh;
+    for (Vec3& p : mesh.points)
+    {
+      p[0] = 2.0 * std::floor(0.5 * p[0]);
+    }
+    Sources sources;
+    sources.points = { vertexPoint(mesh, 0) };
+    const EngineResult result = withinAMinute([&]() { return engineDistances(mesh, sources); });
+    for (Index v = 0; v < mesh.points.size(); ++v)
+    {
+      EXPECT_NEAR(result.vertices[v], spaceDistance(mesh.points[v], mesh.points[0]), 1e-12)
+        << "vertex " << v;
+    }
+  }
+}

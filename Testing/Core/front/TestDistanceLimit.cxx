@@ -401,35 +401,6 @@ TEST(DistanceLimit, TheFaceOfASourceIsCompleteWhereItsCornersAreBeyond)
   expectLimitKept(mesh, curves, truth, 0.1, 1e-14);
 }
 
-TEST(DistanceLimit, VerticesWithoutACompleteFaceAreAtInfinity)
-{
-  const PlainMesh mesh = regularGrid(20, 1);
-  const TriangleMesh engine = engineMesh(mesh);
-  const std::vector<Polyline> curves = { pointAt(vertexPoint(mesh, 0)) };
-  ASSERT_EQ(mesh.points[0], (Vec3{ 0.0, 0.0, 0.0 }));
-  const DistanceField field = solveKeepingAll(engine, engineCurves(engine, curves), 0.0, 5.0);
-  std::size_t finite = 0;
-  for (Index v = 0; v < mesh.points.size(); ++v)
-  {
-    const Vec3& p = mesh.points[v];
-    // The square from 5 to 6 has a corner at 5, the limit itself.
-    const double promised = p[0] <= 6.0 ? std::hypot(p[0], p[1]) : Infinity;
-    finite += promised < Infinity ? 1 : 0;
-    if (promised < Infinity)
-    {
-      EXPECT_NEAR(field.vertexDistances()[v], promised, 1e-14) << "vertex " << v;
-    }
-    else
-    {
-      EXPECT_EQ(field.vertexDistances()[v], Infinity) << "vertex " << v;
-    }
-  }
-  EXPECT_EQ(finite, 14U);
-  Random random(1);
-  const SampledTruth truth(mesh, toSources(curves), random);
-  expectLimitKept(mesh, curves, truth, 4.5, 1e-14);
-}
-
 // Two squares share one vertex, which is at the limit. No window enters the second square, of which
 // only this vertex is within the limit.
 TEST(DistanceLimit, AFaceThatItTouchesInAVertexAloneIsComplete)

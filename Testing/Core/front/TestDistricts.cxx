@@ -18,34 +18,13 @@ using geodesic::Id;
 using geodesic::Job;
 using geodesic::TriangleMesh;
 
-namespace
+TEST(Districts, OfATinyMeshThereIsOneAndOfALargeOneNotMoreThanMost)
 {
-
-std::vector<Id> sizesOf(const Districts& districts, Id vertices)
-{
-  std::vector<Id> sizes(districts.size(), 0);
-  for (Id vertex = 0; vertex < vertices; ++vertex)
-  {
-    ++sizes[districts.of(vertex)];
-  }
-  return sizes;
-}
-
-}
-
-TEST(Districts, OfATinyMeshThereIsOne)
-{
-  EXPECT_EQ(Districts(TriangleMesh(), Job({}, onThreads)).size(), 1U);
-  const TriangleMesh mesh = engineMesh(regularGrid(8, 8));
-  const Districts districts(mesh, Job({}, onThreads));
-  EXPECT_EQ(districts.size(), 1U);
-  EXPECT_EQ(sizesOf(districts, mesh.numberOfVertices())[0], mesh.numberOfVertices());
-}
-
-TEST(Districts, OfALargeMeshThereAreNotMoreThanMost)
-{
-  const TriangleMesh mesh(std::vector<geodesic::Vec3>(4400000), { { 0, 1, 2 } });
-  EXPECT_EQ(Districts(mesh, Job({}, onThreads)).size(), Districts::Most);
+  const Job job({}, onThreads);
+  EXPECT_EQ(Districts(TriangleMesh(), job).size(), 1U);
+  EXPECT_EQ(Districts(engineMesh(regularGrid(8, 8)), job).size(), 1U);
+  const TriangleMesh large(std::vector<geodesic::Vec3>(4400000), { { 0, 1, 2 } });
+  EXPECT_EQ(Districts(large, job).size(), Districts::Most);
 }
 
 TEST(Districts, OfOneThreadThereIsOneWithTheBlocksOfMany)
@@ -70,20 +49,18 @@ TEST(Districts, OfOneThreadThereIsOneWithTheBlocksOfMany)
   }
 }
 
-TEST(Districts, AreOfNearlyEqualSize)
+TEST(Districts, AreOfNearlyEqualSizeAndMostNeighboursAreOfOne)
 {
   const TriangleMesh mesh = engineMesh(regularGrid(300, 250));
   const Districts districts(mesh, Job({}, onThreads));
   ASSERT_GE(districts.size(), 8U);
-  const std::vector<Id> sizes = sizesOf(districts, mesh.numberOfVertices());
+  std::vector<Id> sizes(districts.size(), 0);
+  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    ++sizes[districts.of(vertex)];
+  }
   const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
   EXPECT_LE(*most, 1.2 * *least);
-}
-
-TEST(Districts, MostNeighboursAreOfOne)
-{
-  const TriangleMesh mesh = engineMesh(regularGrid(300, 250));
-  const Districts districts(mesh, Job({}, onThreads));
   Id crossed = 0;
   for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
   {

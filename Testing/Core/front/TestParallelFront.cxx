@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The front on several threads, compared with the brute-force solver.
+// The front on several threads has the bits of the front on one, which other tests compare with the
+// truth.
 #include "EngineSupport.h"
 #include "OnThreads.h"
 #include "truth/RandomMeshKinds.h"
@@ -45,39 +46,6 @@ class ParallelFront : public ::testing::TestWithParam<MeshKind>
 
 }
 
-TEST_P(ParallelFront, AgreesWithBruteForce)
-{
-  Threads threads;
-  for (Random& random : EachSeed(meshesOfAKind(4), 81000))
-  {
-    const PlainMesh mesh = GetParam().make(600, random);
-    CurveMaker maker(mesh, random);
-    const std::vector<Polyline> curves = maker.anySource();
-    SCOPED_TRACE(describe(curves));
-    const std::vector<MeshPoint> queries = randomPoints(mesh, 60, random);
-    const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), queries);
-    const TriangleMesh engine = engineMesh(mesh);
-    const double largest = largestFinite(truth.vertices);
-
-    geodesic::FrontOptions options;
-    options.job = Job({}, threads.parallelFor());
-    const EngineResult exact = valuesOf(
-      geodesic::solve(engine, engineCurves(engine, curves), options, KeepWindows::All), queries);
-    EXPECT_LE(worstError(exact.vertices, truth.vertices, largest), accuracyOn(GetParam()));
-    EXPECT_LE(worstError(exact.queries, truth.queries, largest), accuracyOn(GetParam()));
-    const DistanceField lean = geodesic::solve(engine, engineCurves(engine, curves), options);
-    EXPECT_LE(worstError(lean.vertexDistances(), truth.vertices, largest), accuracyOn(GetParam()))
-      << "without windows";
-
-    options.relativeError = 0.01;
-    const DistanceField merged =
-      geodesic::solve(engine, engineCurves(engine, curves), options, KeepWindows::All);
-    EXPECT_LE(merged.relativeErrorBound(), 0.01);
-    expectCertified(merged, queries, { truth.vertices, truth.queries }, accuracyOn(GetParam()));
-  }
-  EXPECT_GT(threads.shared(), 20U) << "hardly a batch was shared";
-}
-
 // On meshes of several districts; also with windows kept, and within a limit.
 TEST_P(ParallelFront, GivesTheBitsOfOneThread)
 {
@@ -98,6 +66,8 @@ TEST_P(ParallelFront, GivesTheBitsOfOneThread)
       options.job = Job({}, threads.parallelFor());
       const DistanceField shared = geodesic::solve(engine, curves, options, KeepWindows::All);
       EXPECT_EQ(alone.vertexDistances(), shared.vertexDistances());
+      EXPECT_EQ(alone.vertexDistances(), geodesic::solve(engine, curves, options).vertexDistances())
+        << "without windows";
       EXPECT_EQ(alone.relativeErrorBound(), shared.relativeErrorBound());
       EXPECT_EQ(alone.windowsPropagated(), shared.windowsPropagated());
       EXPECT_EQ(valuesOf(alone, queries).queries, valuesOf(shared, queries).queries);

@@ -188,7 +188,7 @@ TEST(PassedWindows, OfSpikesFewWindowsGoOn)
   Random random(9);
   const TriangleMesh mesh = engineMesh(bumpySheet(40, 40, 0, 1500.0, random));
   const DistanceField field =
-    geodesic::solve(mesh, { { { SurfacePoint::atVertex(0) }, {}, { 0 } } });
+    geodesic::solve(mesh, { geodesic::pointCurve(SurfacePoint::atVertex(0)) });
   EXPECT_LE(field.windowsPropagated(), 25U * mesh.numberOfHalfedges());
 }
 
@@ -199,7 +199,7 @@ TEST(ThinFaces, OfStripsFewWindowsGoOn)
   geodesic::FrontOptions options;
   options.relativeError = 1e-3;
   const DistanceField field =
-    geodesic::solve(mesh, { { { SurfacePoint::atVertex(0) }, {}, { 0 } } }, options);
+    geodesic::solve(mesh, { geodesic::pointCurve(SurfacePoint::atVertex(0)) }, options);
   EXPECT_LE(field.windowsPropagated(), 12U * mesh.numberOfEdges());
 }
 

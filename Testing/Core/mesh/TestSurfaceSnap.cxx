@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A point in space goes to the closest point of its face, and from there onto a vertex or an edge
-// within its precision.
+// A point in space goes from the closest point of its face, which TestSourceCurve asks for, onto a
+// vertex or an edge within its precision.
 #include "EngineSupport.h"
 
 #include "mesh/SurfaceSnap.h"
@@ -22,54 +22,6 @@ namespace
 constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 constexpr double FloatEpsilon = std::numeric_limits<float>::epsilon();
 
-/// The least distance to a face, by nested interval searches in its two coordinates (it is convex).
-double closest(const PlainMesh& mesh, const Vec3& p)
-{
-  const auto distance = [&](long double u, long double v)
-  {
-    return spaceDistance(p,
-      position(mesh,
-        { 0,
-          { static_cast<double>(1.0L - u - v), static_cast<double>(u), static_cast<double>(v) } }));
-  };
-  const auto least = [](const auto& f, long double lo, long double hi)
-  {
-    for (int i = 0; i < 100; ++i)
-    {
-      const long double a = lo + (hi - lo) / 3.0L;
-      const long double b = hi - (hi - lo) / 3.0L;
-      (f(a) < f(b) ? hi : lo) = f(a) < f(b) ? b : a;
-    }
-    return f(0.5L * (lo + hi));
-  };
-  return least([&](long double u)
-    { return least([&](long double v) { return distance(u, v); }, 0.0L, 1.0L - u); },
-    0.0L, 1.0L);
-}
-
-}
-
-TEST(SurfaceSnap, APointGoesToTheClosestPointOfItsFace)
-{
-  Random random(1);
-  std::array<int, 3> kinds{};
-  for (int i = 0; i < 60; ++i)
-  {
-    PlainMesh plain;
-    for (int k = 0; k < 3; ++k)
-    {
-      plain.points.push_back(
-        { random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1) });
-    }
-    plain.triangles = { { 0, 1, 2 } };
-    const TriangleMesh mesh = engineMesh(plain);
-    const Vec3 p = { random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2) };
-    const SnappedPoint snapped = snapToFace(mesh, 0, p, Epsilon);
-    EXPECT_NEAR(snapped.distance, closest(plain, p), 1e-9);
-    EXPECT_NEAR(snapped.distance, spaceDistance(position(mesh, snapped.place), p), 4 * Epsilon);
-    ++kinds[static_cast<std::size_t>(snapped.place.kind)];
-  }
-  EXPECT_GT(*std::min_element(kinds.begin(), kinds.end()), 5);
 }
 
 TEST(SurfaceSnap, WithinItsPrecisionAPointGoesOntoAVertexOrAnEdgeAndNotBeyond)
@@ -137,15 +89,4 @@ TEST(SurfaceSnap, APointFarFromTheFaceIsAsPreciseAsItsCoordinates)
   EXPECT_EQ(kindAt(0.4, beside, 1e9), SurfacePoint::Kind::Edge);
   EXPECT_EQ(kindAt(beside, beside, 1.0), SurfacePoint::Kind::Face);
   EXPECT_EQ(kindAt(0.4, beside, 1.0), SurfacePoint::Kind::Face);
-}
-
-TEST(SurfaceSnap, AFaceWithoutAreaHasAClosestPoint)
-{
-  const PlainMesh plain = { { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 } }, { { 0, 1, 2 } } };
-  const TriangleMesh mesh = engineMesh(plain);
-  const SnappedPoint snapped = snapToFace(mesh, 0, { 0.5, 0.75, 0 }, Epsilon);
-  EXPECT_DOUBLE_EQ(snapped.distance, 0.75);
-  EXPECT_NE(snapped.place.kind, SurfacePoint::Kind::Face);
-  const PlainMesh point = { { { 1, 1, 1 }, { 1, 1, 1 }, { 1, 1, 1 } }, { { 0, 1, 2 } } };
-  EXPECT_DOUBLE_EQ(snapToFace(engineMesh(point), 0, { 1, 1, 3 }, Epsilon).distance, 2.0);
 }

@@ -80,22 +80,6 @@ TEST(TriangleMesh, TheSiblingsOfAHalfedgeAreAllHalfedgesOfItsEdge)
   expectSiblingsAreEdges(joinedAtVertex(regularGrid(3, 3), 5, regularGrid(3, 3), 5));
 }
 
-TEST(TriangleMesh, CornersAtAVertexAreAllItsCorners)
-{
-  Random random(2);
-  const TriangleMesh mesh = engineMesh(book(4, 4, 3, 0.3, random));
-  std::size_t corners = 0;
-  for (geodesic::Id v = 0; v < mesh.numberOfVertices(); ++v)
-  {
-    for (geodesic::Id corner : mesh.cornersAt(v))
-    {
-      EXPECT_EQ(mesh.origin(corner), v);
-      ++corners;
-    }
-  }
-  EXPECT_EQ(corners, mesh.numberOfHalfedges());
-}
-
 TEST(TriangleMesh, AnglesOfAFaceSumToPi)
 {
   Random random(3);
@@ -140,17 +124,6 @@ TEST(TriangleMesh, BadFacesAreLeftOutButForThoseWithoutAreaAndTheFirstOfCopies)
     EXPECT_EQ(mesh.inputFace(f), f < 8 ? f + 1 : 11U);
     EXPECT_EQ(mesh.triangle(f), plain.triangles[mesh.inputFace(f)]) << "face " << f;
   }
-}
-
-TEST(TriangleMesh, AllFacesOfAGoodMeshStay)
-{
-  const PlainMesh plain = octasphere(5);
-  const TriangleMesh mesh = engineMesh(plain);
-  EXPECT_EQ(mesh.numberOfFaces(), plain.triangles.size());
-  EXPECT_EQ(facesWithoutArea(plain), 0u);
-  EXPECT_EQ(mesh.numberOfNonManifoldEdges(), 0u);
-  EXPECT_EQ(mesh.numberOfEdges(), 3 * mesh.numberOfFaces() / 2);
-  EXPECT_EQ(mesh.inputFace(7), 7u);
 }
 
 TEST(TriangleMesh, NeedlesHaveArea)

@@ -2,7 +2,6 @@
 // Far points of a curve on a surface that is cut over ranks: the path that joins them is the
 // shortest on the whole surface.
 #include "RanksSupport.h"
-#include "Seeds.h"
 
 #include "paths/FacesBetweenPoints.h"
 #include "paths/JoinPoints.h"
@@ -113,10 +112,8 @@ TEST_P(FacesBetweenPoints, HoldTheShortestPathOfTheWhole)
 // The bounds used instead of distances are no larger, and those used instead of a path no shorter.
 TEST_P(FacesBetweenPoints, AreFoundByBoundsOfTheWays)
 {
-  const Seeds seeds = seedsOfTest(5);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(5))
   {
-    Random random(seed);
     const PlainMesh mesh = GetParam().make(randomSize(random), random);
     Sources source;
     source.points = { randomFacePoint(mesh, random) };
@@ -131,11 +128,10 @@ TEST_P(FacesBetweenPoints, AreFoundByBoundsOfTheWays)
           const geodesic::Corridor ways =
             corridorTo(rank.part, rank.patch, rank.curvesOnPatch[0].points.front(),
               rank.curvesOnPatch[1].points.front(), nullptr, {});
-          EXPECT_GE(ways.length, truth.queries.front() - slack) << "seed " << seed;
+          EXPECT_GE(ways.length, truth.queries.front() - slack);
           for (std::size_t i = 0; i < rank.wholeVertices.size(); ++i)
           {
-            EXPECT_LE(ways.lowerBounds[i], truth.vertices[rank.wholeVertices[i]] + slack)
-              << "seed " << seed;
+            EXPECT_LE(ways.lowerBounds[i], truth.vertices[rank.wholeVertices[i]] + slack);
           }
         });
     }

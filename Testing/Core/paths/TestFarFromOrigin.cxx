@@ -2,7 +2,6 @@
 // The place of a surface does not matter: far from the origin, where coordinates are coarse, the
 // results are those of the same surface at the origin.
 #include "EngineSupport.h"
-#include "Seeds.h"
 #include "paths/PathChecker.h"
 
 #include "paths/JoinPoints.h"
@@ -93,11 +92,8 @@ void expectSame(const std::vector<SurfacePoint>& far, const std::vector<SurfaceP
 TEST_P(FarFromOrigin, PathsAreThoseAtTheOriginAndShortest)
 {
   double worst = 0.0;
-  const Seeds seeds = seedsOfTest(SeedsOfAKind);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(SeedsOfAKind, 52000))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 52000);
     const Surfaces surfaces = surfacesOf(GetParam().make(random.between(30, 300), random), random);
     CurveMaker maker(surfaces.atOrigin, random);
     const std::vector<Polyline> curves = maker.anySource();
@@ -140,11 +136,8 @@ TEST_P(FarFromOrigin, PathsAreThoseAtTheOriginAndShortest)
 
 TEST_P(FarFromOrigin, PointsAreAtTheSamePlacesUpToTheirPrecision)
 {
-  const Seeds seeds = seedsOfTest(SeedsOfAKind);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(SeedsOfAKind, 53000))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 53000);
     const Surfaces surfaces = surfacesOf(GetParam().make(random.between(30, 300), random), random);
     const TriangleMesh far = engineMesh(surfaces.far);
     const TriangleMesh atOrigin = engineMesh(surfaces.atOrigin);

@@ -5,7 +5,6 @@
 #include "OnThreads.h"
 #include "Seeds.h"
 #include "paths/PathChecker.h"
-#include "truth/AnalyticCases.h"
 
 #include "field/RetentionAround.h"
 #include "paths/PathsToSource.h"
@@ -133,9 +132,8 @@ TEST_P(PathsToSourceOn, AreSeldomLost)
   std::size_t paths = 0;
   std::size_t lost = 0;
   const Seeds seeds = seedsOfTest(100);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(100, 81000))
   {
-    Random random(seed + 81000);
     const PlainMesh mesh = GetParam().make(randomSize(random), random);
     const TriangleMesh engine = engineMesh(mesh);
     const std::vector<Polyline> lines = CurveMaker(mesh, random).anySource();
@@ -156,11 +154,8 @@ TEST_P(PathsToSourceOn, AreSeldomLost)
 // Rounding of windows through long faces around the vertex is a large part of such a path.
 TEST_P(PathsToSourceOn, FromVerticesBesideAPointInASmallFaceAreFound)
 {
-  const Seeds seeds = seedsOfTest(meshesOfAKind(30));
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  for (Random& random : EachSeed(meshesOfAKind(30), 82000))
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 82000);
     const PlainMesh mesh = GetParam().make(randomSize(random), random);
     const TriangleMesh engine = engineMesh(mesh);
     const MeshPoint point = besideCorner(smallestCorner(engine), random);
@@ -287,18 +282,4 @@ TEST(PathsToSource, OfManyTargetsBeginEachAtItsOwn)
     EXPECT_LE(spaceDistance(checker.plain(paths[i].points.front()).place, target), 1e-12);
     EXPECT_EQ(checker.plain(paths[i].points.back()).place, mesh.points[0]);
   }
-}
-
-TEST(PathsToSource, AreAbortedByTheirWatcher)
-{
-  const AnalyticCase c = []
-  {
-    Random random(1);
-    return planeCase(random);
-  }();
-  const TriangleMesh engine = engineMesh(c.mesh);
-  const Job job([](double fraction) { return fraction < 0.5; });
-  EXPECT_THROW(
-    findPaths(engine, engineCurves(engine, c.sources), enginePoints(engine, c.queries), job),
-    geodesic::Aborted);
 }

@@ -270,12 +270,10 @@ TEST(ShortestPath, ToAPointARoundingBesideAVertexIsFound)
 // The patch of a path has such a point at the vertex or on the edge.
 TEST(ShortestPath, FromAPointARoundingBesideAVertexOrAnEdgeIsWhole)
 {
-  const Seeds seeds = seedsOfTest(20);
   for (const MeshKind& kind : meshKinds())
   {
-    for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+    for (Random& random : EachSeed(20))
     {
-      Random random(seed);
       const PlainMesh plain = kind.make(random.between(10, 60), random);
       const TriangleMesh mesh = engineMesh(plain);
       const Index k = random.below(3);
@@ -300,7 +298,7 @@ TEST(ShortestPath, FromAPointARoundingBesideAVertexOrAnEdgeIsWhole)
         return length;
       };
       const double length = lengthFrom(at);
-      SCOPED_TRACE(std::string(kind.name) + ", seed " + std::to_string(seed));
+      SCOPED_TRACE(kind.name);
       if (length < geodesic::Infinity)
       {
         EXPECT_NEAR(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The deviation of a distance from linear, and the table of section 6.2.
 #include "EngineSupport.h"
-#include "truth/TestMeshes.h"
+#include "window/WindowSupport.h"
 
 #include "refinement/Deviation.h"
 #include "refinement/DistanceAlongEdge.h"
@@ -18,31 +18,11 @@
 using namespace geodesictest;
 using geodesic::Deviation;
 using geodesic::largestDeviation;
-using geodesic::Window;
 
 namespace
 {
 
 constexpr double Rounding = 1e-12;
-
-Window randomWindow(double length, Random& random)
-{
-  Window w{};
-  w.begin = random.uniform(0.0, 0.8) * length;
-  w.end = w.begin + random.uniform(0.1, 1.0) * (length - w.begin);
-  w.sigma = random.uniform(0.0, length);
-  if (random.chance(0.4))
-  {
-    w.kind = Window::Kind::Linear;
-    w.sourceX = random.uniform(-1.0, 1.0);
-    w.sourceDepth = std::sqrt(1.0 - w.sourceX * w.sourceX);
-    return w;
-  }
-  w.kind = Window::Kind::Circular;
-  w.sourceX = random.uniform(-1.0, 2.0) * length;
-  w.sourceDepth = random.chance(0.1) ? 0.0 : std::pow(10.0, random.uniform(-3.0, 2.0)) * length;
-  return w;
-}
 
 /// Windows that cover [0, length] without a gap, but not continuously.
 std::vector<Window> randomEnvelope(double length, Random& random)
@@ -60,13 +40,6 @@ std::vector<Window> randomEnvelope(double length, Random& random)
   return builder.windows();
 }
 
-double at(const std::vector<Window>& envelope, double x)
-{
-  const auto window =
-    std::find_if(envelope.begin(), envelope.end(), [x](const Window& w) { return x <= w.end; });
-  return (window == envelope.end() ? envelope.back() : *window).distance(x);
-}
-
 /// Whether some window has this difference to the line at x; at a break point there are two.
 bool occurs(const std::vector<Window>& envelope, double x, double line, double difference)
 {
@@ -77,14 +50,6 @@ bool occurs(const std::vector<Window>& envelope, double x, double line, double d
       return x >= w.begin - slack && x <= w.end + slack &&
         std::abs(w.distance(x) - line - difference) <= 4.0 * slack;
     });
-}
-
-long double preciseDistance(const Window& w, long double x)
-{
-  const long double dx = x - w.sourceX;
-  return w.isLinear()
-    ? w.sigma + w.sourceX * x
-    : w.sigma + std::sqrt(dx * dx + static_cast<long double>(w.sourceDepth) * w.sourceDepth);
 }
 
 /// The place where a window is least over a line of this slope, by bisection.
@@ -131,40 +96,6 @@ TEST(SplitPosition, EachRowOfTheTableOfSection62)
   }
 }
 
-TEST(Deviation, ClosedFormIsTheLargestOfDenseSamples)
-{
-  constexpr int samples = 2000;
-  for (Random& random : EachSeed(3000))
-  {
-    const double length = std::pow(10.0, random.uniform(-9.0, 9.0));
-    const std::vector<Window> envelope = randomEnvelope(length, random);
-    const double atBegin = random.uniform(0.0, 2.0) * length;
-    // slopes beyond one come from rounding and from approximate fields
-    const double slope = random.uniform(-1.1, 1.1);
-    const double atEnd = atBegin + slope * length;
-    const Deviation d = largestDeviation(envelope, 0.0, length, atBegin, atEnd);
-    for (int i = 0; i <= samples; ++i)
-    {
-      const double x = length * i / samples;
-      const double difference = at(envelope, x) - (atBegin + slope * x);
-      ASSERT_LE(difference, d.above + Rounding * length) << "x " << x;
-      ASSERT_GE(difference, -d.below - Rounding * length) << "x " << x;
-    }
-    if (d.above > 0.0)
-    {
-      const double x = d.aboveAt * length;
-      EXPECT_TRUE(occurs(envelope, x, atBegin + slope * x, d.above));
-    }
-    if (d.below > 0.0)
-    {
-      const double x = d.belowAt * length;
-      EXPECT_TRUE(occurs(envelope, x, atBegin + slope * x, -d.below));
-    }
-    EXPECT_EQ(d.largest(), std::max(d.above, d.below));
-    EXPECT_EQ(d.at(), d.above >= d.below ? d.aboveAt : d.belowAt);
-  }
-}
-
 // A window's difference to a line is convex: it is least where its slope is zero, which bisection
 // finds without a formula.
 TEST(Deviation, ExtremaAreThoseThatBisectionFinds)
@@ -182,25 +113,21 @@ TEST(Deviation, ExtremaAreThoseThatBisectionFinds)
     {
       for (const double x : { w.begin, w.end, lowestAgainstLine(w, slope) })
       {
-        const long double e =
-          preciseDistance(w, x) - (atBegin + static_cast<long double>(slope) * x);
+        const Extended e = exactDistance(w, x) - (atBegin + static_cast<Extended>(slope) * x);
         above = std::max(above, e);
         below = std::max(below, -e);
       }
     }
     EXPECT_NEAR(d.above / length, static_cast<double>(above / length), Rounding);
     EXPECT_NEAR(d.below / length, static_cast<double>(below / length), Rounding);
+    for (const auto& [at, difference] : { std::pair(d.aboveAt, d.above), { d.belowAt, -d.below } })
+    {
+      const double x = at * length;
+      EXPECT_TRUE(difference == 0.0 || occurs(envelope, x, atBegin + slope * x, difference));
+    }
+    EXPECT_EQ(d.largest(), std::max(d.above, d.below));
+    EXPECT_EQ(d.at(), d.above >= d.below ? d.aboveAt : d.belowAt);
   }
-}
-
-TEST(Deviation, WideningTakesTheLargerOfEachSideWithItsPlace)
-{
-  Deviation d{ 1.0, 0.1, 2.0, 0.2 };
-  d.widen({ 3.0, 0.3, 1.0, 0.4 });
-  EXPECT_EQ(d.above, 3.0);
-  EXPECT_EQ(d.aboveAt, 0.3);
-  EXPECT_EQ(d.below, 2.0);
-  EXPECT_EQ(d.belowAt, 0.2);
 }
 
 TEST(Deviation, ExtremumOfACircularWindowIsWhereTheCorrectedFormulaPutsIt)

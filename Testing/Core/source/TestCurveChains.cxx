@@ -62,7 +62,6 @@ TEST(CurveChains, ACurveThatRunsAgainstTheChainKeepsWhereItIsCutAndWhereItBends)
   EXPECT_TRUE(chains.inChain(chains.curveAt(0, 1.5)).isReversed);
 }
 
-// Windows on both sides of such a segment are told apart by their parameters.
 // The parameter of a path's end is computed from the path, with roundings.
 TEST(CurveChains, LengthsAlongACurveAreFromZeroToItsLength)
 {
@@ -79,6 +78,7 @@ TEST(CurveChains, LengthsAlongACurveAreFromZeroToItsLength)
   EXPECT_EQ(chains.arcLength(1, 3.0 + 1e-15), 0.0);
 }
 
+// Windows on both sides of such a segment are told apart by their parameters.
 TEST(CurveChains, PlacesIncreaseAcrossASegmentWithoutLength)
 {
   const TriangleMesh mesh =

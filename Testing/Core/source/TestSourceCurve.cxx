@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EngineSupport.h"
+#include "Watched.h"
 
 #include "Errors.h"
 
@@ -444,30 +445,6 @@ void expectCutsAtEdges(const SourceCurve& curve)
   }
 }
 
-TEST(SourceCurve, PointsOfAConvexPlaneAreJoinedByTheStraightSegment)
-{
-  Random random(8);
-  for (int i = 0; i < 30; ++i)
-  {
-    const PlainMesh plain = geodesictest::randomPlanar(8, 6, random);
-    const TriangleMesh mesh = engineMesh(plain);
-    const MeshPoint from = geodesictest::randomPoint(plain, random);
-    const MeshPoint to = geodesictest::randomPoint(plain, random);
-    const Vec3 p = position(plain, from);
-    const Vec3 q = position(plain, to);
-    const SourceCurve curve = put(mesh, polylineOn(plain, { from, to })).curves[0];
-    expectWhole(mesh, curve);
-    expectCutsAtEdges(curve);
-    const double whole = norm(q - p);
-    EXPECT_NEAR(length(mesh, curve), whole, 1e-12 * whole);
-    for (const SurfacePoint& point : curve.points)
-    {
-      const Vec3 x = position(mesh, point);
-      EXPECT_NEAR(norm(x - p) + norm(x - q), whole, 1e-12 * whole);
-    }
-  }
-}
-
 TEST(SourceCurve, ASegmentThroughVerticesOfAPlanePassesThem)
 {
   Random random(15);
@@ -492,30 +469,6 @@ TEST(SourceCurve, ASegmentThroughVerticesOfAPlanePassesThem)
     EXPECT_EQ(vertices, (std::vector<Id>{ 0, 9, 18, 27 }));
     EXPECT_EQ(curve.points.size(), 7u);
   }
-}
-
-TEST(SourceCurve, PointsOnTwoSidesOfABoxAreJoinedStraightInTheUnfolding)
-{
-  const PlainMesh plain = geodesictest::box({ 4.0, 3.0, 2.0 }, { 5, 4, 3 });
-  const TriangleMesh mesh = engineMesh(plain);
-  const Vec3 p = { 1.3, 2.5, 2.0 }; // half a unit from the edge y = 3, z = 2
-  const Vec3 q = { 2.9, 3.0, 1.1 };
-  const auto faceAt = [&](const Vec3& x)
-  {
-    Id best = 0;
-    double nearest = Infinity;
-    for (Id face = 0; face < mesh.numberOfFaces(); ++face)
-    {
-      const double distance = put(mesh, polyline({ x }, { face })).snapDistance;
-      best = distance < nearest ? face : best;
-      nearest = std::min(nearest, distance);
-    }
-    return best;
-  };
-  const SourceCurve curve = put(mesh, polyline({ p, q }, { faceAt(p), faceAt(q) })).curves[0];
-  expectWhole(mesh, curve);
-  expectCutsAtEdges(curve);
-  EXPECT_NEAR(length(mesh, curve), std::hypot(1.6, 0.5 + 0.9), 1e-12);
 }
 
 /// Surfaces of every kind.
@@ -558,50 +511,6 @@ TEST(SourceCurve, AnyTwoPointsAreJoinedByAShortestPath)
       EXPECT_NEAR(length(mesh, curve), truth, 1e-9 * truth);
     }
   }
-}
-
-TEST(SourceCurve, SheetsThatTouchInAVertexAreJoinedThroughIt)
-{
-  const PlainMesh sheet = geodesictest::regularGrid(2, 2);
-  PlainMesh shifted = sheet;
-  for (Vec3& p : shifted.points)
-  {
-    p = p + Vec3{ 2.0, 2.0, 0.0 };
-  }
-  const PlainMesh plain = geodesictest::joinedAtVertex(sheet, 8, shifted, 0);
-  const TriangleMesh mesh = engineMesh(plain);
-  const MeshPoint from = { 0, { 0.2, 0.5, 0.3 } };
-  const MeshPoint to = { static_cast<Id>(plain.triangles.size() - 1), { 0.2, 0.5, 0.3 } };
-  const SourceCurve curve = put(mesh, polylineOn(plain, { from, to })).curves[0];
-  expectWhole(mesh, curve);
-  std::size_t vertices = 0;
-  for (std::size_t i = 0; i < curve.points.size(); ++i)
-  {
-    const SurfacePoint& point = curve.points[i];
-    const bool isMeeting = samePlace(mesh, point, SurfacePoint::atVertex(8));
-    vertices += isMeeting && !curve.isCut[i] ? 1 : 0;
-  }
-  EXPECT_EQ(vertices, 1u);
-  const Vec3 meeting = mesh.point(8);
-  const double truth = norm(position(plain, from) - meeting) + norm(position(plain, to) - meeting);
-  EXPECT_NEAR(length(mesh, curve), truth, 1e-12 * truth);
-}
-
-TEST(SourceCurve, AFaceWithoutAreaIsCrossed)
-{
-  // The unit square twice, one above the other. At the seam only the upper one has a vertex in the
-  // middle, with a face without area between.
-  const PlainMesh plain = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.5, 1, 0 }, { 1, 1, 0 },
-                              { 0, 2, 0 }, { 1, 2, 0 } },
-    { { 0, 1, 4 }, { 0, 4, 2 }, { 2, 4, 3 }, { 2, 3, 5 }, { 3, 6, 5 }, { 3, 4, 6 } } };
-  const TriangleMesh mesh = geodesictest::cleanedEngineMesh(plain);
-  const Vec3 p = { 0.3, 0.4, 0.0 };
-  const Vec3 q = { 0.2, 1.3, 0.0 };
-  std::vector<geodesic::LocatedPolyline> lines = { polyline({ p, q }, {}) };
-  geodesictest::locate(mesh, lines);
-  const SourceCurve curve = put(mesh, lines[0]).curves[0];
-  expectWhole(mesh, curve);
-  EXPECT_NEAR(length(mesh, curve), norm(q - p), 1e-12);
 }
 
 TEST(SourceCurve, AClosedPolylineOfFarPointsIsAsLongAsItsShortestPaths)
@@ -855,38 +764,17 @@ TEST(SourceCurve, PointsInDifferentComponentsAreNamed)
   EXPECT_TRUE(mentions(message, "Points 1 and 2 of line 7 of the source")) << message;
 }
 
-TEST(SourceCurve, AWatcherCanAbort)
-{
-  const PlainMesh plain = geodesictest::octasphere(6);
-  const TriangleMesh mesh = engineMesh(plain);
-  const LocatedPolyline line =
-    polylineOn(plain, { { 0, { 0.5, 0.3, 0.2 } }, { 150, { 0.5, 0.3, 0.2 } } });
-  for (const int allowed : { 0, 1 })
-  {
-    int calls = 0;
-    const Job job([&](double) { return calls++ < allowed; });
-    EXPECT_THROW(putOntoSurface(mesh, { line }, Epsilon, joinByShortestPaths(mesh), job), Aborted);
-    EXPECT_EQ(calls, allowed + 1);
-  }
-}
-
-TEST(SourceCurve, ItsWatcherSeesZeroToOneAndNeverBack)
+TEST(SourceCurve, ItsWatcherSeesZeroToOneAndCanAbort)
 {
   Random random(11);
   const PlainMesh plain = geodesictest::octasphere(6);
   const TriangleMesh mesh = engineMesh(plain);
   const std::vector<MeshPoint> points = randomPoints(plain, 12, random);
-  double last = 0.0;
-  const auto watcher = [&](double fraction)
-  {
-    EXPECT_GE(fraction, last);
-    EXPECT_LE(fraction, 1.0);
-    last = fraction;
-    return true;
-  };
-  putOntoSurface(mesh, { polylineOn(plain, points, true), polylineOn(plain, points) }, Epsilon,
-    joinByShortestPaths(mesh), Job(watcher));
-  EXPECT_GT(last, 0.5);
+  const std::vector<LocatedPolyline> lines = { polylineOn(plain, points, true),
+    polylineOn(plain, points) };
+  const std::vector<double> told = geodesictest::expectWatched(4,
+    [&](const Job& job) { putOntoSurface(mesh, lines, Epsilon, joinByShortestPaths(mesh), job); });
+  EXPECT_GT(told.back(), 0.5);
 }
 
 //----------------------------------------------------------------------------

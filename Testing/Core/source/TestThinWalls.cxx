@@ -99,12 +99,11 @@ TEST(ThinWalls, ANoisyLineInAGapStaysOnItsSide)
     p[2] += 10.2;
   }
   const TriangleMesh mesh = engineMesh(geodesictest::merged(lower, upper));
-  for (std::uint64_t seed = 0; seed < 10; ++seed)
+  for (Random& random : geodesictest::EachSeed(10))
   {
-    Random random(seed);
     const SourceCurves result = put(mesh, { noisyLine(10.0, 0.12, 101, random) });
     ASSERT_EQ(result.curves.size(), 1U);
-    EXPECT_NEAR(lengthOf(mesh, result.curves[0]), 80.0, 1e-9) << seed;
+    EXPECT_NEAR(lengthOf(mesh, result.curves[0]), 80.0, 1e-9);
   }
 }
 
@@ -220,9 +219,8 @@ TEST(ThinWalls, PointsOnTheSurfaceStay)
 TEST(ThinWalls, APlaceOfSeveralPointsHasOneSide)
 {
   const TriangleMesh mesh = engineMesh(plate());
-  for (std::uint64_t seed = 0; seed < 10; ++seed)
+  for (Random& random : geodesictest::EachSeed(10))
   {
-    Random random(seed);
     std::vector<LocatedPolyline> lines = { noisyLine(Thickness, 0.12, 81, random), {} };
     lines[0].points[40][2] = 0.09; // closer to the bottom
     lines[1] = lines[0];
@@ -241,7 +239,7 @@ TEST(ThinWalls, APlaceOfSeveralPointsHasOneSide)
     for (const SourceCurve& curve : put(mesh, lines).curves)
     {
       const std::string sides = sidesOf(mesh, curve);
-      EXPECT_EQ(sides, std::string(sides.size(), 't')) << seed;
+      EXPECT_EQ(sides, std::string(sides.size(), 't'));
     }
   }
 }

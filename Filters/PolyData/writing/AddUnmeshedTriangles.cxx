@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PolyData/writing/RefinedSurface.h"
+#include "PolyData/writing/UnmeshedTriangles.h"
 
 #include "mesh/FacesWithoutArea.h"
 #include "refinement/RefinedOnRanks.h"
 
 #include <algorithm>
 #include <array>
+#include <unordered_map>
 #include <utility>
 
 namespace geodesic
@@ -16,7 +17,7 @@ namespace
 
 /// Adds the points of a refined face that split one of its edges or a part of it, from one end to
 /// the other, by their numbers in the face.
-void addSplits(const RefinedFace& face, Id a, Id b, std::vector<Id>& splits)
+void addSplits(const RefinedMesh& face, Id a, Id b, std::vector<Id>& splits)
 {
   const auto isMiddle = [a, b](const RefinedPoint& point)
   { return std::minmax(a, b) == std::minmax(point.parents[0], point.parents[1]); };
@@ -30,12 +31,11 @@ void addSplits(const RefinedFace& face, Id a, Id b, std::vector<Id>& splits)
   }
 }
 
-/// A triangle that is not a face, and how the faces at its edges are refined; null where there is
-/// no face.
+/// A triangle that is not a face, and the refined faces at its edges; empty where there is none.
 struct TriangleToCut
 {
   const UnmeshedTriangle& triangle;
-  std::array<const RefinedFace*, 3> faces{};
+  const RefinedMesh* faces;
 
   /// The edge of the face at edge k.
   Id edgeOfFace(std::size_t k) const
@@ -47,51 +47,31 @@ struct TriangleToCut
   std::vector<Id> splitsAt(std::size_t k) const
   {
     std::vector<Id> splits;
-    if (this->faces[k])
-    {
-      const Id edge = this->edgeOfFace(k);
-      addSplits(*this->faces[k], edge, (edge + 1) % 3, splits);
-    }
+    const Id edge = this->edgeOfFace(k);
+    addSplits(this->faces[k], edge, (edge + 1) % 3, splits);
     return splits;
   }
   std::size_t numberOfParts() const
   {
     return this->triangle.isOnFace()
-      ? this->faces[0]->triangles.size()
+      ? this->faces[0].triangles.size()
       : 1 + this->splitsAt(0).size() + this->splitsAt(1).size() + this->splitsAt(2).size();
   }
 };
 
-/// Asks the owners of the faces how these are refined.
-///
-/// \param refinedFaces keeps the answers.
-std::vector<TriangleToCut> findCuts(const UnmeshedTriangles& unmeshed,
-  const std::vector<Triangle>& cornerPoints, const RefinedMesh& refined,
-  std::vector<RefinedFace>& refinedFaces)
+/// How the faces at the triangles' edges are refined, three for each triangle.
+std::vector<RefinedMesh> facesAtEdges(const UnmeshedTriangles& unmeshed,
+  const std::vector<Triangle>& cornerPoints, const RefinedMesh& refined)
 {
-  std::vector<RankAddress> asked;
+  std::vector<RankAddress> faces;
   for (const UnmeshedTriangle& triangle : unmeshed.ofThisRank())
   {
     for (const GlobalFace& face : triangle.faces)
     {
-      if (face.isThere())
-      {
-        asked.push_back(face.address);
-      }
+      faces.push_back(face.address);
     }
   }
-  refinedFaces = findRefinedFaces(asked, unmeshed.surface().partition, refined, cornerPoints);
-  std::vector<TriangleToCut> cuts;
-  auto next = refinedFaces.cbegin();
-  for (const UnmeshedTriangle& triangle : unmeshed.ofThisRank())
-  {
-    TriangleToCut& cut = cuts.emplace_back(TriangleToCut{ triangle });
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      cut.faces[k] = triangle.faces[k].isThere() ? &*next++ : nullptr;
-    }
-  }
-  return cuts;
+  return findRefinedFaces(faces, unmeshed.surface().partition, refined, cornerPoints);
 }
 
 /// Cuts triangles like faces, with points of their own.
@@ -101,13 +81,9 @@ struct TriangleCutter
   RefinedMesh& refined;
   const PolyDataSurface& surface = unmeshed.surface();
   SplitPointNumbering numbering{ refined };
-  const std::size_t ownPoints = refined.points.size();
-  /// The points that the added ones are copies of.
-  std::vector<RankAddress> copied{};
-  const RefinedFace* face = nullptr;
-  int rankOfFace = -1;
-  /// The numbers of the face's corners and points; NoId where the triangle has no point yet.
-  std::vector<Id> numbers{};
+  const RefinedMesh* face = nullptr;
+  /// The triangle's own points in place of the face's.
+  std::unordered_map<Id, Id> numbers{};
 
   /// \param isWhole whether a triangle on the vertices of a face is not cut.
   void add(const TriangleToCut& cut, bool isWhole, std::vector<Triangle>& triangles)
@@ -131,14 +107,13 @@ struct TriangleCutter
   /// \param corners how many of the triangle's corners the face has, from corner k on.
   void begin(const TriangleToCut& cut, std::size_t k, std::size_t corners)
   {
-    const GlobalFace& there = cut.triangle.faces[k];
-    this->face = cut.faces[k];
-    this->rankOfFace = there.address.rank;
-    this->numbers.assign(3 + this->face->points.size(), NoId);
+    this->face = &cut.faces[k];
+    this->numbers.clear();
     const Triangle points = this->surface.cornersOf(cut.triangle.part);
     for (std::size_t i = k; i < k + corners; ++i)
     {
-      this->numbers[cornerAt(there.vertices, cut.triangle.vertices[i % 3])] = points[i % 3];
+      const Id vertex = cut.triangle.vertices[i % 3];
+      this->numbers[cornerAt(cut.triangle.faces[k].vertices, vertex)] = points[i % 3];
     }
   }
 
@@ -146,19 +121,18 @@ struct TriangleCutter
   /// have.
   Id ownPoint(Id point)
   {
-    if (this->numbers[point] == NoId)
-    {
-      RefinedPoint copy = this->face->points[point - 3];
-      const std::array<Id, 2> parents = copy.parents;
-      copy.parents[0] = this->ownPoint(parents[0]);
-      copy.parents[1] = this->ownPoint(parents[1]);
-      this->numbers[point] = this->numbering.numberOf(copy);
-      if (this->ownPoints + this->copied.size() < this->refined.points.size())
+    return numberElsewhere(
+      point, this->numbers, [this](Id number) { return this->face->pointAt(number); },
+      [this](const RefinedPoint& own, Id number)
       {
-        this->copied.push_back({ this->rankOfFace, this->face->numbersThere[point - 3] });
-      }
-    }
-    return this->numbers[point];
+        const std::size_t before = this->refined.points.size();
+        const Id added = this->numbering.numberOf(own);
+        if (this->refined.points.size() > before)
+        {
+          this->refined.copied.push_back(this->face->copied[number - 3]);
+        }
+        return added;
+      });
   }
 
   void addParts(const TriangleToCut& cut, std::vector<Triangle>& triangles)
@@ -186,7 +160,7 @@ struct TriangleCutter
     {
       const Id corner = cornerAt(points, point);
       return corner < 3 ? this->unmeshed.vertex(vertices[corner]).position
-                        : this->refined.points[point - this->refined.numberOfInputPoints].position;
+                        : this->refined.pointAt(point).position;
     };
     std::array<std::vector<Id>, 3> splits; // on the edge from corner k to the next
     for (std::size_t k = 0; k < 3; ++k)
@@ -241,7 +215,7 @@ void takeCutPoints(
 
 } // anonymous namespace
 
-RefinedSurface addUnmeshedTriangles(const UnmeshedTriangles& unmeshed, std::uint64_t maximumFaces,
+RefinedMesh addUnmeshedTriangles(const UnmeshedTriangles& unmeshed, std::uint64_t maximumFaces,
   const std::vector<Triangle>& cornerPoints, const std::vector<double>& vertexDistances,
   RefinedMesh refined)
 {
@@ -252,11 +226,15 @@ RefinedSurface addUnmeshedTriangles(const UnmeshedTriangles& unmeshed, std::uint
     {
       face = surface.triangleOf(face);
     }
-    return { std::move(refined), {} };
+    return refined;
   }
   takeCutPoints(surface, vertexDistances, refined);
-  std::vector<RefinedFace> refinedFaces;
-  const std::vector<TriangleToCut> cuts = findCuts(unmeshed, cornerPoints, refined, refinedFaces);
+  const std::vector<RefinedMesh> faces = facesAtEdges(unmeshed, cornerPoints, refined);
+  std::vector<TriangleToCut> cuts;
+  for (const UnmeshedTriangle& triangle : unmeshed.ofThisRank())
+  {
+    cuts.push_back({ triangle, faces.data() + 3 * cuts.size() });
+  }
   const bool stayWhole = areTooMany(surface, cuts, refined, maximumFaces);
   TriangleCutter cutter{ unmeshed, refined };
   std::vector<Triangle> triangles;
@@ -277,7 +255,7 @@ RefinedSurface addUnmeshedTriangles(const UnmeshedTriangles& unmeshed, std::uint
   }
   refined.triangles = std::move(triangles);
   refined.faces = std::move(parents);
-  return { std::move(refined), std::move(cutter.copied) };
+  return refined;
 }
 
 }

@@ -1,15 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef geodesic_SeamMerger_h
-#define geodesic_SeamMerger_h
+#ifndef geodesic_Seams_h
+#define geodesic_Seams_h
 
 #include "Exchange.h"
-#include "PolyData/reading/SeamVertices.h"
+#include "PolyData/reading/PieceVertices.h"
+#include "PolyData/reading/TriangleReader.h"
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace geodesic
 {
+
+/// What a rank has of a surface, for mergeSeams(). Points at exactly one place, and those that
+/// ranks share, are one vertex already.
+struct SeamSurface
+{
+  PieceVertices& vertices;
+  const TriangleList& triangles;
+  /// The relative precision of the coordinates, of each block.
+  std::vector<double> precisions;
+  /// The largest coordinate of a vertex of any rank's triangles.
+  double largest = 0.0;
+  /// How far apart the user allows vertices on the boundary to be that are one.
+  double mergeTolerance = 0.0;
+};
 
 /// Where pieces of a surface meet, and along the cracks of one that was stored triangle by
 /// triangle, points may differ by roundings, and ghosts may differ from what they duplicate: each
