@@ -64,7 +64,8 @@ inline std::vector<int> RandomRegions(
   const int regions = static_cast<int>(random.between(1, 3));
   for (int region = 0; region < regions; ++region)
   {
-    const std::size_t wanted = random.chance(0.3) ? 1 : 1 + random.below(random.chance(0.1) ? 200 : 25);
+    const std::size_t wanted =
+      random.chance(0.3) ? 1 : 1 + random.below(random.chance(0.1) ? 200 : 25);
     std::vector<std::size_t> chosen = { random.below(faces) };
     regionOf[chosen.front()] = region;
     for (std::size_t i = 0; i < chosen.size() && chosen.size() < wanted; ++i)
@@ -155,8 +156,8 @@ inline RegionScene MakeRegionScene(
     const geodesictest::Index one = faces[random.below(faces.size())];
     const bool isLeftOut = faces.size() > 1 && (random.chance(0.3) || barriers[one]);
     scene.regionOf.push_back(isLeftOut ? -1 : regions[one]);
-    scene.made.isBarrier.push_back(std::all_of(
-      faces.begin(), faces.end(), [&](geodesictest::Index f) { return barriers[f]; }));
+    scene.made.isBarrier.push_back(
+      std::all_of(faces.begin(), faces.end(), [&](geodesictest::Index f) { return barriers[f]; }));
   }
   for (const geodesictest::Index f : both.faceBefore)
   {
@@ -196,8 +197,10 @@ inline bool IsClear(const RegionScene& scene)
   for (geodesictest::Index f = 0; f < scene.made.whole.triangles.size(); ++f)
   {
     if (scene.isInRegion(f) &&
-      std::any_of(std::begin(places), std::end(places), [&](const geodesictest::Barycentric& at)
-        { return IsOnOtherFace(scene.made.whole, { f, at }); }))
+      std::any_of(std::begin(places), std::end(places),
+        [&](const geodesictest::Barycentric& at) {
+          return IsOnOtherFace(scene.made.whole, { f, at });
+        }))
     {
       return false;
     }
@@ -221,9 +224,8 @@ inline double OutlineLengthOf(const RegionScene& scene)
   double length = 0.0;
   for (const auto& [edge, count] : uses)
   {
-    length += count == 1
-      ? geodesictest::spaceDistance(whole.points[edge[0]], whole.points[edge[1]])
-      : 0.0;
+    length +=
+      count == 1 ? geodesictest::spaceDistance(whole.points[edge[0]], whole.points[edge[1]]) : 0.0;
   }
   return length;
 }

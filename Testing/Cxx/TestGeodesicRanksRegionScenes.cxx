@@ -80,9 +80,8 @@ double CheckScene(Check& check, Ranks ranks, RegionScene& scene)
   const bool hasGlobalIds = random.chance(0.5);
   const bool hasGhosts = random.chance(0.5);
   const Cut cut = random.chance(0.5) ? InSpace(whole, ranks.Count) : AtRandom(ranks.Count);
-  const auto part = Numbered(hasGhosts
-      ? PartWithGhosts(whole, cut, ranks.Rank, true)
-      : Part(whole, FacesOf(whole, cut, ranks.Rank), true),
+  const auto part = Numbered(hasGhosts ? PartWithGhosts(whole, cut, ranks.Rank, true)
+                                       : Part(whole, FacesOf(whole, cut, ranks.Rank), true),
     hasGlobalIds);
   const bool isWhole = random.chance(0.3);
   const auto source = RegionsOf(isWhole ? whole : part);
@@ -103,8 +102,9 @@ double CheckScene(Check& check, Ranks ranks, RegionScene& scene)
     return 0.0;
   }
   check.That(messages.Error().empty(), scene.name + ": " + messages.Error());
-  check.That(scene.hasFlatFaces || std::abs(filter->GetSourceLength() - OutlineLengthOf(scene)) <=
-      1e-11 * std::max(1.0, OutlineLengthOf(scene)),
+  check.That(scene.hasFlatFaces ||
+      std::abs(filter->GetSourceLength() - OutlineLengthOf(scene)) <=
+        1e-11 * std::max(1.0, OutlineLengthOf(scene)),
     scene.name + ": the length is " + std::to_string(filter->GetSourceLength()) + " instead of " +
       std::to_string(OutlineLengthOf(scene)));
   const std::vector<double> truth = TruthOf(scene);

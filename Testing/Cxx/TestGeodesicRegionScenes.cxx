@@ -46,10 +46,11 @@ void CheckInside(Check& check, const RegionScene& scene, vtkPolyData* block, vtk
     scene.name + ": a point inside is its own closest point, apart by " + std::to_string(away));
   check.That(gradient == Point{}, scene.name + ": no gradient inside");
   vtkDataArray* sides = values->GetArray("SignedGeodesicDistance");
-  check.That(!sides || !std::signbit(sides->GetTuple1(point)), scene.name + ": the sign inside is +");
+  check.That(
+    !sides || !std::signbit(sides->GetTuple1(point)), scene.name + ": the sign inside is +");
   const double id = values->GetArray("SourceId")->GetTuple1(point);
-  check.That(ids.empty() || ids.count(id) > 0,
-    scene.name + ": the id inside is " + std::to_string(id));
+  check.That(
+    ids.empty() || ids.count(id) > 0, scene.name + ": the id inside is " + std::to_string(id));
 }
 
 /// \param isNamed whether ids are checked.
@@ -179,7 +180,7 @@ double CheckScene(Check& check, RegionScene& scene)
 
 void CheckRandomScenes(Check& check)
 {
-  const geodesictest::Seeds seeds = geodesictest::seedsOfTest(8);
+  const geodesictest::Seeds seeds = geodesictest::seedsOfTest(3);
   for (const geodesictest::MeshKind& kind : geodesictest::meshKinds())
   {
     double worst = 0.0;

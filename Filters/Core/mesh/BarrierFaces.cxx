@@ -36,9 +36,8 @@ std::vector<double> distancesTo(const MeshPartition& surface, const std::vector<
 
 } // anonymous namespace
 
-std::vector<RankAddress> BarrierFaces::barriersAt(
-  const std::vector<Vec3>& points, const ClosestFaces& closest, double coordinatePrecision,
-  double rim)
+std::vector<RankAddress> BarrierFaces::barriersAt(const std::vector<Vec3>& points,
+  const ClosestFaces& closest, double coordinatePrecision, double rim)
 {
   const std::vector<double> toOpen =
     distancesTo(this->open_, points, closest, coordinatePrecision, rim);

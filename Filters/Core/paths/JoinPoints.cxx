@@ -50,8 +50,8 @@ double distanceInFaces(const TriangleMesh& mesh, const SurfacePoint& point, Id v
       {
         if (corners[k] == vertex)
         {
-          const Vec2 way = wayInFrame(mesh, longestHalfedge(mesh, face),
-            barycentric(mesh, point, face), cornerWeights(k));
+          const Vec2 way = wayInFrame(
+            mesh, longestHalfedge(mesh, face), barycentric(mesh, point, face), cornerWeights(k));
           distance = std::min(distance, norm(way));
         }
       }
@@ -100,9 +100,7 @@ double lengthAlongEdges(
     if (top.length == lengthTo[top.vertex])
     {
       const bool isGoal = std::find(goals.begin(), goals.end(), top.vertex) != goals.end();
-      best = isGoal
-        ? std::min(best, top.length + distanceInFaces(mesh, second, top.vertex))
-        : best;
+      best = isGoal ? std::min(best, top.length + distanceInFaces(mesh, second, top.vertex)) : best;
       for (const Id corner : mesh.cornersAt(top.vertex))
       {
         const Id previous = TriangleMesh::previousInFace(corner);

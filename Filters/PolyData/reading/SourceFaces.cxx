@@ -41,8 +41,8 @@ struct FaceEdge
 /// A corner of one of several faces.
 struct CornerOfFace
 {
-  std::size_t face;
-  std::size_t corner;
+  std::size_t face = 0;
+  std::size_t corner = 0;
 };
 
 /// The numbers of each face's corners: points at one place have one number.
@@ -231,28 +231,105 @@ Vec3 middleOf(const TriangleMesh& mesh, Id face)
   return (1.0 / 3.0) * (mesh.point(t[0]) + mesh.point(t[1]) + mesh.point(t[2]));
 }
 
-/// A part of a face, whose corners have numbers.
-///
-/// \param points of these numbers.
-/// \param firstAt the first corner of a face with each number; points without one are new.
-LocatedPolyline partOf(const LocatedPolyline& face, const Triangle& corners,
-  const std::vector<Vec3>& points, const std::vector<CornerOfFace>& firstAt,
-  const std::vector<LocatedPolyline>& faces)
+/// The triangles of faces, on the places of all corners, cut as those of a surface where faces have
+/// no area.
+class CutFaces
 {
-  LocatedPolyline part;
-  part.name = face.name;
-  part.source = face.source;
-  part.closed = true;
-  for (const Id corner : corners)
+public:
+  explicit CutFaces(const std::vector<LocatedPolyline>& faces)
+    : faces_(faces)
+    , isCut_(faces.size(), false)
+    , parts_(faces.size())
   {
-    const bool isNew = corner >= firstAt.size();
-    const LocatedPolyline& with = isNew ? face : faces[firstAt[corner].face];
-    part.points.push_back(points[corner]);
-    part.vertices.push_back(isNew ? NoId : with.vertexOf(firstAt[corner].corner));
-    part.pointNames.push_back(isNew ? face.name : with.nameOfPoint(firstAt[corner].corner));
+    this->addTriangles();
+    std::vector<std::uint64_t> keys; // none in one process
+    const CutTriangles cut = removeFacesWithoutArea(
+      this->points_, keys, this->points_.size(), this->triangles_, {}, OneRank::instance());
+    const std::vector<Triangle>& parts = cut.isEmpty() ? this->triangles_ : cut.parts;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      this->addPart(parts[i], cut.isEmpty() ? i : cut.triangles[i]);
+    }
   }
-  return part;
-}
+
+  bool isCut(std::size_t face) const { return this->isCut_[face]; }
+  /// Those with an area.
+  const std::vector<LocatedPolyline>& partsOf(std::size_t face) const { return this->parts_[face]; }
+
+private:
+  void addTriangles()
+  {
+    const std::vector<std::vector<std::uint64_t>> corners = numberCorners(this->faces_);
+    for (std::size_t face = 0; face < corners.size(); ++face)
+    {
+      for (std::size_t i = 0; i < corners[face].size(); ++i)
+      {
+        if (corners[face][i] == this->points_.size())
+        {
+          this->points_.push_back(this->faces_[face].points[i]);
+          this->firstAt_.push_back({ face, i });
+        }
+      }
+      for (const Triangle& t : FaceTriangles::trianglesOf(this->faces_[face].points))
+      {
+        const auto number = [&](std::size_t k) { return static_cast<Id>(corners[face][t[k]]); };
+        this->addTriangle({ number(0), number(1), number(2) }, face);
+      }
+    }
+  }
+
+  void addTriangle(const Triangle& triangle, std::size_t face)
+  {
+    if (!hasThreeVertices(triangle))
+    {
+      this->isCut_[face] = true;
+      return;
+    }
+    this->triangles_.push_back(triangle);
+    this->faceOf_.push_back(face);
+  }
+
+  void addPart(const Triangle& part, std::size_t triangle)
+  {
+    const std::size_t face = this->faceOf_[triangle];
+    const std::array<Vec3, 3> corners = { this->points_[part[0]], this->points_[part[1]],
+      this->points_[part[2]] };
+    const bool hasArea = !isWithoutArea(shapeOf(corners), corners);
+    this->isCut_[face] = this->isCut_[face] || part != this->triangles_[triangle] || !hasArea;
+    if (hasArea)
+    {
+      this->parts_[face].push_back(this->polygonOf(part, this->faces_[face]));
+    }
+  }
+
+  LocatedPolyline polygonOf(const Triangle& part, const LocatedPolyline& face) const
+  {
+    LocatedPolyline polygon;
+    polygon.name = face.name;
+    polygon.source = face.source;
+    polygon.closed = true;
+    for (const Id corner : part)
+    {
+      const bool isNew = corner >= this->firstAt_.size();
+      const CornerOfFace first = isNew ? CornerOfFace{} : this->firstAt_[corner];
+      const LocatedPolyline& with = this->faces_[first.face];
+      polygon.points.push_back(this->points_[corner]);
+      polygon.vertices.push_back(isNew ? NoId : with.vertexOf(first.corner));
+      polygon.pointNames.push_back(isNew ? face.name : with.nameOfPoint(first.corner));
+    }
+    return polygon;
+  }
+
+  const std::vector<LocatedPolyline>& faces_;
+  /// The place with each number, and the first corner there. A cut may add places.
+  std::vector<Vec3> points_;
+  std::vector<CornerOfFace> firstAt_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::size_t> faceOf_;
+  /// Whether a face is not the whole of its triangles as they are.
+  std::vector<bool> isCut_;
+  std::vector<std::vector<LocatedPolyline>> parts_;
+};
 
 /// Whether faces of a source cover faces of a surface.
 struct CoverTest
@@ -347,67 +424,36 @@ std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
 
 std::vector<std::vector<LocatedPolyline>> cutAtFacesWithoutArea(std::vector<LocatedPolyline>& faces)
 {
-  const std::vector<std::vector<std::uint64_t>> corners = numberCorners(faces);
-  std::vector<Vec3> points;
-  std::vector<CornerOfFace> firstAt;
-  std::vector<Triangle> triangles;
-  std::vector<std::size_t> faceOf;
-  std::vector<bool> isCut(faces.size(), false);
+  const CutFaces cut(faces);
+  std::vector<std::vector<LocatedPolyline>> parts;
+  std::vector<bool> isLeft;
   for (std::size_t face = 0; face < faces.size(); ++face)
   {
-    for (std::size_t i = 0; i < corners[face].size(); ++i)
-    {
-      if (corners[face][i] == points.size())
-      {
-        points.push_back(faces[face].points[i]);
-        firstAt.push_back({ face, i });
-      }
-    }
-    for (const Triangle& t : FaceTriangles::trianglesOf(faces[face].points))
-    {
-      const auto number = [&](std::size_t k) { return static_cast<Id>(corners[face][t[k]]); };
-      const Triangle triangle = { number(0), number(1), number(2) };
-      if (hasThreeVertices(triangle))
-      {
-        triangles.push_back(triangle);
-        faceOf.push_back(face);
-      }
-      isCut[face] = isCut[face] || !hasThreeVertices(triangle);
-    }
+    parts.push_back(
+      cut.isCut(face) ? cut.partsOf(face) : std::vector<LocatedPolyline>{ faces[face] });
+    isLeft.push_back(!parts.back().empty());
   }
-  std::vector<std::uint64_t> keys;
-  const CutTriangles cut =
-    removeFacesWithoutArea(points, keys, points.size(), triangles, {}, OneRank::instance());
-  std::vector<std::vector<LocatedPolyline>> parts(faces.size());
-  const std::vector<Triangle>& allParts = cut.isEmpty() ? triangles : cut.parts;
-  for (std::size_t i = 0; i < allParts.size(); ++i)
+  if (std::count(isLeft.begin(), isLeft.end(), true) == 0)
   {
-    const std::size_t triangle = cut.isEmpty() ? i : cut.triangles[i];
-    const std::size_t face = faceOf[triangle];
-    const Triangle& part = allParts[i];
-    const std::array<Vec3, 3> at = { points[part[0]], points[part[1]], points[part[2]] };
-    const bool hasArea = !isWithoutArea(shapeOf(at), at);
-    isCut[face] = isCut[face] || part != triangles[triangle] || !hasArea;
-    if (hasArea)
+    for (std::size_t face = 0; face < faces.size(); ++face)
     {
-      parts[face].push_back(partOf(faces[face], part, points, firstAt, faces));
+      parts[face] = { faces[face] };
     }
+    return parts;
   }
-  const bool isAnyLeft = std::any_of(
-    parts.begin(), parts.end(), [](const std::vector<LocatedPolyline>& p) { return !p.empty(); });
-  std::vector<LocatedPolyline> left;
-  std::vector<std::vector<LocatedPolyline>> partsLeft;
+  std::size_t left = 0;
   for (std::size_t face = 0; face < faces.size(); ++face)
   {
-    const bool isWhole = !isAnyLeft || !isCut[face];
-    if (isWhole || !parts[face].empty())
+    if (isLeft[face])
     {
-      partsLeft.push_back(isWhole ? std::vector<LocatedPolyline>{ faces[face] } : parts[face]);
-      left.push_back(std::move(faces[face]));
+      std::swap(faces[left], faces[face]);
+      std::swap(parts[left], parts[face]);
+      ++left;
     }
   }
-  faces = std::move(left);
-  return partsLeft;
+  faces.resize(left);
+  parts.resize(left);
+  return parts;
 }
 
 std::vector<LocatedPolyline> pointsInside(const std::vector<LocatedPolyline>& faces)

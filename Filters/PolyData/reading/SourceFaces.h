@@ -17,7 +17,8 @@ namespace geodesic
 /// those of a surface (removeFacesWithoutArea()).
 ///
 /// \returns for each face that is left its parts: itself unless it is cut.
-std::vector<std::vector<LocatedPolyline>> cutAtFacesWithoutArea(std::vector<LocatedPolyline>& faces);
+std::vector<std::vector<LocatedPolyline>> cutAtFacesWithoutArea(
+  std::vector<LocatedPolyline>& faces);
 
 /// Makes regions of the faces of a source. Its outline are the edges that one of its faces uses,
 /// joined to polylines; each runs in the direction of most of its edges in their faces, so that the
