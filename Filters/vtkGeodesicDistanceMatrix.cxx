@@ -65,14 +65,6 @@ private:
   std::set<std::string> given_ = { TargetIdColumn, TargetNameColumn, TargetPositionColumn };
 };
 
-/// The targets if an array makes sets of them, else null.
-const Sources* TargetSetsOf(const Inputs& inputs)
-{
-  return inputs.areTargetsSources ? &inputs.sources
-    : inputs.targetSets           ? &*inputs.targetSets
-                                  : nullptr;
-}
-
 /// Adds the names of targets that have some.
 void AddTargetNames(const Inputs& inputs, vtkTable* table)
 {
@@ -89,7 +81,7 @@ void AddTargetNames(const Inputs& inputs, vtkTable* table)
       column->SetValue(row + static_cast<vtkIdType>(i), names[i]);
     }
   };
-  if (const Sources* sets = TargetSetsOf(inputs))
+  if (const Sources* sets = inputs.setsOfTargets())
   {
     addNames(sets->names);
   }
@@ -117,7 +109,7 @@ void AddTargetPositions(const Inputs& inputs, vtkTable* table)
   column->SetNumberOfComponents(3);
   column->SetNumberOfTuples(rows);
   column->Fill(std::numeric_limits<double>::quiet_NaN());
-  if (const Sources* sets = TargetSetsOf(inputs))
+  if (const Sources* sets = inputs.setsOfTargets())
   {
     const PolyDataSurface& surface = *inputs.surface;
     for (auto curve = sets->curves.rbegin(); curve != sets->curves.rend(); ++curve)
@@ -168,7 +160,7 @@ std::vector<std::vector<double>> Solve(const Inputs& inputs, double maximumDista
   {
     return distancesBetween(mesh, setsOf(sources.curves, count), maximumDistance, job);
   }
-  if (const Sources* sets = TargetSetsOf(inputs))
+  if (const Sources* sets = inputs.setsOfTargets())
   {
     return distanceMatrix(mesh, setsOf(sources.curves, count),
       setsOf(sets->curves, sets->ids.size()), maximumDistance, job);
@@ -181,7 +173,7 @@ std::vector<std::vector<double>> Solve(const Inputs& inputs, double maximumDista
 void ComputeTable(const Inputs& inputs, double maximumDistance, bool hasPositions,
   FilterExecution& execution, vtkTable* table)
 {
-  const Sources* sets = TargetSetsOf(inputs);
+  const Sources* sets = inputs.setsOfTargets();
   const auto rows = static_cast<vtkIdType>(inputs.targets.count);
   const auto numberOfSources = static_cast<vtkIdType>(inputs.sources.ids.size());
 

@@ -331,14 +331,21 @@ public:
       });
   }
 
-  /// A color map shows the ids that occur, and gray if something is not reached.
-  void Fit(vtkSMProxy* table, const std::string& array) const
+  /// Whether an array has the ids of sources, which its color map then shows.
+  bool ShowIds(vtkSMProxy* table, const std::string& array) const
   {
-    if (array == SourceIds && this->HasFilters())
+    const bool areIds = array == SourceIds && this->HasFilters();
+    if (areIds)
     {
       stripes::showIds(table, this->HaveUnreached());
     }
-    else if (stripes::areIn(table) && this->HasStripes(array))
+    return areIds;
+  }
+
+  /// A color map shows the ids that occur, and gray if something is not reached.
+  void Fit(vtkSMProxy* table, const std::string& array) const
+  {
+    if (!this->ShowIds(table, array) && stripes::areIn(table) && this->HasStripes(array))
     {
       stripes::setUnreached(table, this->HasUnreached(array));
     }
@@ -494,10 +501,7 @@ void DisplayWatch::Execute(vtkObject* caller, unsigned long, void* property)
 void TableWatch::Execute(vtkObject* caller, unsigned long, void*)
 {
   auto* table = static_cast<vtkSMProxy*>(caller);
-  if (this->Array == SourceIds && this->Filters->HasFilters())
-  {
-    stripes::showIds(table, this->Filters->HaveUnreached());
-  }
+  this->Filters->ShowIds(table, this->Array);
   const bool hasStripes = stripes::areIn(table) && this->Filters->HasStripes(this->Array);
   if (hasStripes)
   {

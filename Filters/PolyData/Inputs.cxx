@@ -205,7 +205,8 @@ struct InputReader
     const double precision = coordinatePrecisionOf(blocks);
     LocatedPlaces located = this->cache.locator().locate(
       source.polylines, precision, locating.part(outsideBarriers, 0.9));
-    requireOutsideBarriers(surface, surfaceBlocks, source.polylines, located, precision);
+    requireOutsideBarriers(
+      surface, surfaceBlocks, source.polylines, located, barriersAt(surface, located, precision));
     this->cache.locator().keepOnOneSide(
       source.polylines, precision, located, locating.part(0.9, 1.0));
     faces.addFacesAround(located);
@@ -243,11 +244,10 @@ struct InputReader
       noteSides(mesh, source, curves, this->notes);
     }
     addBorders(mesh, curves.curves);
-    const bool areNamed = std::any_of(blocks.begin(), blocks.end(),
-      [](const PolyDataBlock& block) { return !block.sourceIds.empty(); });
     const auto count = static_cast<Id>(source.ids.size());
     return { std::move(patch),
-      { std::move(curves), std::move(source.ids), areNamed, count, std::move(source.names) },
+      { std::move(curves), std::move(source.ids), arePartsNamed(blocks), count,
+        std::move(source.names) },
       source.idEnd };
   }
 
@@ -353,8 +353,9 @@ struct InputReader
     const double precision = coordinatePrecisionOf(blocks);
     LocatedPlaces located =
       this->cache.locator().locate(read.polylines, precision, job.part(0.0, 0.8));
-    leaveOutPointsInBarriers(surface, located, precision, read);
-    requireOutsideBarriers(surface, surfaceBlocks, read.polylines, located, precision);
+    const std::vector<RankAddress> barriers = barriersAt(surface, located, precision);
+    leaveOutPointsInBarriers(located, barriers, read);
+    requireOutsideBarriers(surface, surfaceBlocks, read.polylines, located, barriers);
     this->cache.locator().keepOnOneSide(read.polylines, precision, located, job.part(0.8, 0.9));
     located.setFaces(patch, read.polylines);
     SourceCurves curves = curvesOn(
@@ -377,6 +378,11 @@ std::vector<Stage> ExecutionPlan::allStages() const
   }
   all.insert(all.end(), this->stages.begin(), this->stages.end());
   return all;
+}
+
+const Sources* Inputs::setsOfTargets() const
+{
+  return this->areTargetsSources ? &this->sources : this->targetSets ? &*this->targetSets : nullptr;
 }
 
 SourceWindows Inputs::sourceWindows(const Job& job) const
@@ -420,9 +426,8 @@ Inputs readInputs(const InputRequest& request, const ExecutionPlan& plan, Surfac
       inputs.targetSets =
         reader.readTargetSets(inputs.surfaceBlocks, inputs.targetBlocks.blocks, *inputs.patch);
     }
-    const Sources& sets = inputs.areTargetsSources ? inputs.sources : *inputs.targetSets;
-    inputs.targets.count = sets.ids.size();
-    inputs.targets.numbers.resize(sets.ids.size());
+    inputs.targets.count = inputs.setsOfTargets()->ids.size();
+    inputs.targets.numbers.resize(inputs.targets.count);
     std::iota(inputs.targets.numbers.begin(), inputs.targets.numbers.end(), std::size_t{ 0 });
   }
   else if (plan.targets != TargetPoints::None)

@@ -144,6 +144,9 @@ struct Inputs
   /// Whether the sources are the sets of targets, too: then neither is read again.
   bool areTargetsSources = false;
 
+  /// The targets if an array makes sets of them, else null.
+  const Sources* setsOfTargets() const;
+
   /// What the sources give the front to begin with.
   ///
   /// \param job of the solve: it can be stopped already.

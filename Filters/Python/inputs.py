@@ -14,6 +14,7 @@ from .arrays import SURFACES, corners_of_faces, points_of
 from .messages import GeodesicError, warn
 
 FORM = "geodesicdistance.distance((points, faces), source)"
+SOURCE = "The source"  # as messages call it
 # Names of the arrays that are added to inputs.
 BARRIERS, SOURCE_IDS = "barriers", "source_ids"
 # The cells of meshio that are faces, with VTK's types, and how those begin that may lie beside them.
@@ -81,21 +82,21 @@ def _shallow_copy(data, what):
     return copy
 
 
-def are_of_faces(values, data, count, name):
-    """Whether there is a value for each face, not for each of the points, which are so many."""
-    corners = corners_of_faces(data) if values.ndim == 1 else None
-    if corners is None or values.size != len(corners[0]):
-        return False
+def faces_with(values, data, count, name):
+    """The faces, as corners_of_faces(), if there is a value for each of them; None if not. count: of points."""
+    faces = corners_of_faces(data) if values.ndim == 1 else None
+    if faces is None or values.size != len(faces[0]):
+        return None
     if values.size == count:
         what = "Give points by their indices, or append" if values.dtype == bool else "Append"
         raise GeodesicError(f"{name} has {count} values, but the surface has as many points as faces, so that nothing "
                             f"tells which are meant. {what} a point that no face uses to those of the surface.")
-    return True
+    return faces
 
 
-def faces_as_source(ids, data):
-    """Faces of a surface by their indices, as a data set."""
-    sizes, corners = corners_of_faces(data)
+def faces_as_source(ids, faces, data):
+    """Some of the faces of a surface by their indices, as a data set."""
+    sizes, corners = faces
     is_in = np.isin(np.arange(len(sizes)), ids)
     used, corners = np.unique(corners[np.repeat(is_in, sizes)], return_inverse=True)
     source = indexed_points(used, data)
@@ -105,12 +106,13 @@ def faces_as_source(ids, data):
 
 def masked_faces(where, data, count):
     """The region of a mask with a value for each face; None where it is none. count: of points."""
-    where = array_of(where, "The source")
-    if where.dtype != bool or not are_of_faces(where, data, count, "The source"):
+    where = array_of(where, SOURCE)
+    faces = faces_with(where, data, count, SOURCE) if where.dtype == bool else None
+    if faces is None:
         return None
     if not where.any():
-        raise GeodesicError("The source is empty: give at least one face.")
-    return faces_as_source(np.flatnonzero(where), data)
+        raise GeodesicError(f"{SOURCE} is empty: give at least one face.")
+    return faces_as_source(np.flatnonzero(where), faces, data)
 
 
 def labels_of_parts(labels):

@@ -18,8 +18,6 @@ from .vtkFiltersGeodesic import (vtkGeodesicContour, vtkGeodesicDistanceField, v
                                  vtkGeodesicFarthestPoints, vtkGeodesicPaths)
 
 
-SOURCE = "The source"  # as messages call it
-
 # VTK's number of threads, its observers and where its messages go are of the whole process, so one call runs at a time.
 # Threads that wait for it do not hold Python's own lock.
 LOCK = threading.RLock()
@@ -155,11 +153,10 @@ class Surface:
         of one label are a region (set), and the table, which is symmetric, has the distances of all of them from one
         another, in the order of numpy.unique(labels[labels >= 0]); negative labels stand for none.
 
-        pairs takes rows of two
-        indices, k x 2, and gives one distance a row, without the whole table: it measures from as few points as will
-        do, once from each, no farther than to its partners. The first index of a row is that of a point of the source,
-        the second that of a target, both given by positions or by indices; without source and targets, both are
-        indices of points of the surface.
+        pairs takes rows of two indices, k x 2, and gives one distance a row, without the whole table: it measures from
+        as few points as will do, once from each, no farther than to its partners. The first index of a row is that of
+        a point of the source, the second that of a target, both given by positions or by indices; without source and
+        targets, both are indices of points of the surface.
         """
         if labels is not None:
             if boundary or any(given is not None for given in (source, targets, pairs, source_ids)):
@@ -215,7 +212,7 @@ class Surface:
 
     def _table(self, source, targets, **given):
         """The matrix, in which points that no face uses are infinitely far."""
-        data, columns = (None, np.ones(0, bool)) if source is None else self._places(source, SOURCE)
+        data, columns = (None, np.ones(0, bool)) if source is None else self._places(source, inputs.SOURCE, may_be_faces=True)
         if given["source_ids"] is not None:
             self._source(source)  # of whose points each has an id: none may be missing
         if columns.size and not columns.any():
@@ -230,8 +227,9 @@ class Surface:
         """The matrix of all regions, in which those without a point that a face uses are infinitely far."""
         labels, count = inputs.labels_of_parts(labels), self._number_of_points()
         parts = np.flatnonzero(labels >= 0)
-        if inputs.are_of_faces(labels, self._data, count, "labels"):
-            data = inputs.faces_as_source(parts, self._data)
+        faces = inputs.faces_with(labels, self._data, count, "labels")
+        if faces is not None:
+            data = inputs.faces_as_source(parts, faces, self._data)
         elif labels.size == count:
             parts = parts[self._are_of_faces(parts)]
             if not parts.size:
@@ -270,7 +268,7 @@ class Surface:
         if source is None:
             pairs = index_pairs(pairs, [("the surface", self._number_of_points())] * 2)
             return Places.each_once(*map(Places.of_indices, pairs.T))
-        sides = self._single_points(source, "The source"), self._single_points(targets, "The set of targets")
+        sides = self._single_points(source, inputs.SOURCE), self._single_points(targets, "The set of targets")
         pairs = index_pairs(pairs, list(zip(("the source", "the set of targets"), map(len, sides))))
         return Places.each_once(*(side[column] for side, column in zip(sides, pairs.T)))
 
@@ -310,9 +308,9 @@ class Surface:
         return filter.GetOutputDataObject(0)
 
     def _source(self, source):
-        data, of_faces = self._places(source, SOURCE)
+        data, of_faces = self._places(source, inputs.SOURCE, may_be_faces=True)
         if not of_faces.all():
-            point = inputs.point_indices(source, self._number_of_points(), "The source")[~of_faces][0]
+            point = inputs.point_indices(source, self._number_of_points(), inputs.SOURCE)[~of_faces][0]
             raise GeodesicError(f"Point {point} of the source belongs to no face of the surface.")
         return data
 
@@ -323,15 +321,15 @@ class Surface:
             data = inputs.indexed_points(np.flatnonzero(self._used_points())[:1], self._data)
         return data, of_faces
 
-    def _places(self, where, name):
+    def _places(self, where, name, may_be_faces=False):
         """A source, or targets, as a data set of the points that belong to faces, and for each point whether it does.
 
-        Those that are not given by index always do.
+        Those that are not given by index always do. may_be_faces: whether a mask of faces is a region.
         """
         where = inputs.unwrapped(where)
         if isinstance(where, vtkDataObject):
             return where, np.ones(where.GetNumberOfElements(vtkDataObject.POINT), bool)
-        region = inputs.masked_faces(where, self._data, self._number_of_points()) if name == SOURCE else None
+        region = inputs.masked_faces(where, self._data, self._number_of_points()) if may_be_faces else None
         if region is not None:
             return region, np.ones(region.GetNumberOfPoints(), bool)
         ids = inputs.point_indices(where, self._number_of_points(), name)

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace GeodesicTesting
@@ -38,6 +39,34 @@ struct RandomBarriers
   /// For each point of the surface the one of the whole at its place.
   std::vector<geodesictest::Index> pointOfWhole;
 };
+
+/// For each point of the surface whether a face that is no barrier has it.
+inline std::vector<bool> PointsOutsideBarriers(const RandomBarriers& made)
+{
+  std::vector<bool> isOutside(made.surface.points.size(), false);
+  for (std::size_t f = 0; f < made.surface.triangles.size(); ++f)
+  {
+    for (const geodesictest::Index point : made.surface.triangles[f])
+    {
+      isOutside[point] = isOutside[point] || !made.isBarrier[f];
+    }
+  }
+  return isOutside;
+}
+
+/// The true distance at a point of the surface: infinite where barriers alone have it. There is
+/// none at a second point of barriers at a place.
+///
+/// \param isOutside by PointsOutsideBarriers().
+/// \param truth at the points of the whole.
+inline std::optional<double> TruthAt(const RandomBarriers& made, const std::vector<bool>& isOutside,
+  const std::vector<double>& truth, std::size_t point)
+{
+  const geodesictest::Index ofWhole = made.pointOfWhole[point];
+  return isOutside[point] ? std::optional<double>(truth[ofWhole])
+    : ofWhole == point    ? std::optional<double>(INFINITY)
+                          : std::nullopt;
+}
 
 /// Single faces, patches around vertices, or nearly all.
 inline std::vector<bool> RandomFaces(

@@ -255,20 +255,6 @@ inline std::vector<double> TruthOf(const RegionScene& scene)
   return truth;
 }
 
-/// For each point of the surface whether a face that is no barrier has it.
-inline std::vector<bool> PointsOutsideBarriers(const RegionScene& scene)
-{
-  std::vector<bool> isOutside(scene.made.surface.points.size(), false);
-  for (std::size_t f = 0; f < scene.made.surface.triangles.size(); ++f)
-  {
-    for (const geodesictest::Index point : scene.made.surface.triangles[f])
-    {
-      isOutside[point] = isOutside[point] || !scene.made.isBarrier[f];
-    }
-  }
-  return isOutside;
-}
-
 /// The faces of regions, each with its region times 10 in the array "region".
 ///
 /// \param isWanted which faces; empty: all.

@@ -69,20 +69,7 @@ inline vtkSmartPointer<vtkPolyData> OutlineOf(const Region& region)
 
 inline double OutlineLength(const Region& region)
 {
-  const auto outline = OutlineOf(region);
-  double length = 0.0;
-  for (vtkIdType i = 0; i < outline->GetNumberOfLines(); ++i)
-  {
-    vtkNew<vtkIdList> ids;
-    outline->GetLines()->GetCellAtId(i, ids);
-    Point a;
-    Point b;
-    outline->GetPoint(ids->GetId(0), a.data());
-    outline->GetPoint(ids->GetId(1), b.data());
-    length += std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
-      (a[2] - b[2]) * (a[2] - b[2]));
-  }
-  return length;
+  return TotalLength(OutlineOf(region));
 }
 
 /// For each point whether it is a corner of the region.

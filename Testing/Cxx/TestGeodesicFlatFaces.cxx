@@ -140,20 +140,11 @@ void CheckRefinedSurfaces(Check& check)
 }
 
 /// Compares the distances at a block's points with the truth, by brute force on the surface without
-/// faces that have no area. A point of barriers alone is not reached, unless it is the second one
-/// at its place.
+/// faces that have no area.
 /// \returns the largest error.
 double ErrorOfBlock(const RandomCase& one, vtkPolyData* block, const std::vector<double>& truth)
 {
-  const RandomBarriers& made = one.made;
-  std::vector<bool> isOpen(made.surface.points.size(), false);
-  for (std::size_t f = 0; f < made.surface.triangles.size(); ++f)
-  {
-    for (const geodesictest::Index point : made.surface.triangles[f])
-    {
-      isOpen[point] = isOpen[point] || !made.isBarrier[f];
-    }
-  }
+  const std::vector<bool> isOutside = PointsOutsideBarriers(one.made);
   vtkDataArray* distances = block->GetPointData()->GetArray("GeodesicDistance");
   double worst = 0.0;
   for (vtkIdType cell = 0; cell < block->GetNumberOfCells(); ++cell)
@@ -162,13 +153,8 @@ double ErrorOfBlock(const RandomCase& one, vtkPolyData* block, const std::vector
     block->GetCellPoints(cell, ids);
     for (const vtkIdType id : { ids->GetId(0), ids->GetId(1), ids->GetId(2) })
     {
-      const auto point = static_cast<std::size_t>(id);
-      const geodesictest::Index ofWhole = made.pointOfWhole[point];
-      if (isOpen[point] || ofWhole == point)
-      {
-        const double expected = isOpen[point] ? truth[ofWhole] : INFINITY;
-        worst = std::max(worst, ErrorOf(distances->GetTuple1(id), expected));
-      }
+      const auto expected = TruthAt(one.made, isOutside, truth, static_cast<std::size_t>(id));
+      worst = expected ? std::max(worst, ErrorOf(distances->GetTuple1(id), *expected)) : worst;
     }
   }
   return worst;

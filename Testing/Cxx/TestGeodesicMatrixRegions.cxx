@@ -302,16 +302,11 @@ double CutOutline(const Region& region, std::vector<Point>& places)
 {
   const auto outline = OutlineOf(region);
   double step = 0.0;
-  for (vtkIdType line = 0; line < outline->GetNumberOfLines(); ++line)
+  for (const std::vector<vtkIdType>& ids : CellsOf(outline->GetLines()))
   {
-    vtkNew<vtkIdList> ids;
-    outline->GetLines()->GetCellAtId(line, ids);
-    Point a;
-    Point b;
-    outline->GetPoint(ids->GetId(0), a.data());
-    outline->GetPoint(ids->GetId(1), b.data());
-    const Point ab = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
-    step = std::max(step, std::hypot(ab[0], std::hypot(ab[1], ab[2])) / Cuts);
+    const Point a = PointAt(outline, ids[0]);
+    const Point ab = Minus(PointAt(outline, ids[1]), a);
+    step = std::max(step, std::sqrt(Dot(ab, ab)) / Cuts);
     for (int i = 0; i <= Cuts; ++i)
     {
       const double t = static_cast<double>(i) / Cuts;

@@ -56,19 +56,15 @@ vtkSmartPointer<vtkPolyData> SurfaceWithRegions(const RegionScene& scene)
 
 double ErrorOfPart(const RegionScene& scene, vtkPolyData* output, const std::vector<double>& truth)
 {
-  const std::vector<bool> isOutside = PointsOutsideBarriers(scene);
+  const std::vector<bool> isOutside = PointsOutsideBarriers(scene.made);
   vtkDataArray* numbers = output->GetPointData()->GetArray("point");
   vtkDataArray* distances = output->GetPointData()->GetArray("GeodesicDistance");
   double worst = 0.0;
   for (vtkIdType i = 0; numbers && i < output->GetNumberOfPoints(); ++i)
   {
     const auto point = static_cast<std::size_t>(numbers->GetTuple1(i));
-    const geodesictest::Index ofWhole = scene.made.pointOfWhole[point];
-    if (isOutside[point] || ofWhole == point)
-    {
-      const double expected = isOutside[point] ? truth[ofWhole] : INFINITY;
-      worst = std::max(worst, ErrorOf(distances->GetTuple1(i), expected));
-    }
+    const auto expected = TruthAt(scene.made, isOutside, truth, point);
+    worst = expected ? std::max(worst, ErrorOf(distances->GetTuple1(i), *expected)) : worst;
   }
   return worst;
 }

@@ -58,8 +58,7 @@ void CheckInside(Check& check, const RegionScene& scene, vtkPolyData* block, vtk
 double ErrorOfBlock(Check& check, const RegionScene& scene, vtkPolyData* block,
   const std::vector<double>& truth, bool isNamed)
 {
-  static_cast<void>(isNamed);
-  const std::vector<bool> isOutside = PointsOutsideBarriers(scene);
+  const std::vector<bool> isOutside = PointsOutsideBarriers(scene.made);
   const std::vector<std::set<double>> ids = IdsAtPoints(scene);
   vtkDataArray* distances = block->GetPointData()->GetArray("GeodesicDistance");
   if (!distances)
@@ -75,16 +74,12 @@ double ErrorOfBlock(Check& check, const RegionScene& scene, vtkPolyData* block,
     for (const vtkIdType id : { corners->GetId(0), corners->GetId(1), corners->GetId(2) })
     {
       const auto point = static_cast<std::size_t>(id);
-      const geodesictest::Index ofWhole = scene.made.pointOfWhole[point];
-      if (!isOutside[point] && ofWhole != point)
-      {
-        continue;
-      }
-      const double expected = isOutside[point] ? truth[ofWhole] : INFINITY;
-      worst = std::max(worst, ErrorOf(distances->GetTuple1(id), expected));
+      const auto expected = TruthAt(scene.made, isOutside, truth, point);
+      worst = expected ? std::max(worst, ErrorOf(distances->GetTuple1(id), *expected)) : worst;
       if (expected == 0.0 && distances->GetTuple1(id) == 0.0)
       {
-        CheckInside(check, scene, block, id, isNamed ? ids[ofWhole] : std::set<double>());
+        CheckInside(check, scene, block, id,
+          isNamed ? ids[scene.made.pointOfWhole[point]] : std::set<double>());
       }
     }
   }
@@ -165,14 +160,8 @@ double CheckScene(Check& check, RegionScene& scene)
   }
   const std::vector<double> truth = TruthOf(scene);
   double error = 0.0;
-  if (auto* whole = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0)))
+  for (vtkPolyData* block : LeavesOf(filter->GetOutputDataObject(0)))
   {
-    error = ErrorOfBlock(check, scene, whole, truth, isNamed);
-  }
-  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-  for (unsigned int i = 0; blocks && i < blocks->GetNumberOfBlocks(); ++i)
-  {
-    auto* block = vtkPolyData::SafeDownCast(blocks->GetBlock(i));
     error = std::max(error, ErrorOfBlock(check, scene, block, truth, isNamed));
   }
   return error / std::max(1.0, LargestFinite(truth));

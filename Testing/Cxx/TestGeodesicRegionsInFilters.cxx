@@ -35,13 +35,6 @@ vtkSmartPointer<vtkPolyData> OpenSurface(const RegionScene& scene)
   return SurfaceOf(open);
 }
 
-Point PointAt(vtkPolyData* data, vtkIdType id)
-{
-  Point p;
-  data->GetPoint(id, p.data());
-  return p;
-}
-
 Point Middle(const Point& a, const Point& b)
 {
   return { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]) };

@@ -29,6 +29,9 @@ struct FaceShape
   }
   double longest() const { return this->length[this->longestEdge()]; }
   double shortest() const { return *std::min_element(this->length.begin(), this->length.end()); }
+  /// How far beside an edge the face may have been cut, where a face without area was there
+  /// (removeFacesWithoutArea()).
+  double roundingOfCuts() const { return tolerance::WithoutArea * this->longest(); }
   /// According to tolerance::ThinFace.
   bool isThin() const
   {

@@ -368,8 +368,7 @@ struct CoverTest
     {
       const auto triangle = static_cast<Id>(t);
       const SnappedPoint there = snapToFace(this->sourceMesh, triangle, point, this->precision);
-      // Where faces without area were, those at their edge were cut beside it.
-      const double cut = tolerance::WithoutArea * this->sourceMesh.shape(triangle).longest();
+      const double cut = this->sourceMesh.shape(triangle).roundingOfCuts();
       if (there.distance <= std::max(there.tolerance, cut))
       {
         return true;

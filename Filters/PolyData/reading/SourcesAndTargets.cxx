@@ -372,18 +372,6 @@ void joinFaces(const std::vector<vtkIdType>& names, bool areJoined, SourcePolyli
   }
 }
 
-/// For each place the barrier that it lies in, a face of surface.barriers->surface(); the id is
-/// NoId if it lies in none. All ranks call this together.
-///
-/// \param coordinatePrecision relative precision of the points' coordinates.
-std::vector<RankAddress> barriersAt(
-  const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
-{
-  return surface.barriers
-    ? surface.barriers->barriersAt(located.places, located.faces, coordinatePrecision)
-    : std::vector<RankAddress>(located.places.size(), RankAddress{ 0, NoId });
-}
-
 /// Leaves out faces that lie in barriers, which are no faces of the surface. All ranks call this
 /// together.
 ///
@@ -419,7 +407,7 @@ void leaveOutBarriers(const PolyDataSurface& surface, double coordinatePrecision
   }
 }
 
-/// The sources that are among those with faces no more, ascending.
+/// The sources that had faces before and have none left, ascending.
 std::vector<Id> sourcesWithoutFaces(
   const std::set<Id>& before, const std::vector<LocatedPolyline>& faces)
 {
@@ -455,15 +443,10 @@ SourcePolylines readPolylines(
 /// Makes sources of polylines and faces.
 ///
 /// \param array as namesOfParts().
-/// \param before the sources that had faces when they were read.
 void makeParts(const std::vector<PolyDataBlock>& source, const std::string& array,
-  bool areLinesJoined, const std::set<Id>& before, SourcePolylines& result)
+  bool areLinesJoined, SourcePolylines& result)
 {
   const std::vector<vtkIdType> names = namesOfParts(source, result.ids, array);
-  if (areLinesJoined && names.empty())
-  {
-    removeIds(sourcesWithoutFaces(before, result.faces), result.ids);
-  }
   if (areLinesJoined)
   {
     joinLines(names, result);
@@ -593,7 +576,11 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PolyD
   const std::set<Id> before = sourcesOf(result.faces);
   result.partsOfFaces = cutAtFacesWithoutArea(result.faces);
   leaveOutBarriers(surface, coordinatePrecisionOf(source), locator, job, result);
-  makeParts(source, "the parts of the source (SourceIdArrayName)", areLinesJoined, before, result);
+  if (areLinesJoined && !arePartsNamed(source))
+  {
+    removeIds(sourcesWithoutFaces(before, result.faces), result.ids);
+  }
+  makeParts(source, "the parts of the source (SourceIdArrayName)", areLinesJoined, result);
   return result;
 }
 
@@ -607,16 +594,22 @@ SourcePolylines readTargetSets(
       " has no target: no point, line or flat face has a value of at least 0 in the array of "
       "TargetIdArrayName. Negative values stand for none.");
   }
-  const std::set<Id> before = sourcesOf(result.faces);
   result.partsOfFaces = cutAtFacesWithoutArea(result.faces);
-  makeParts(blocks, "targets (TargetIdArrayName)", true, before, result);
+  makeParts(blocks, "targets (TargetIdArrayName)", true, result);
   return result;
 }
 
-void leaveOutPointsInBarriers(const PolyDataSurface& surface, const LocatedPlaces& located,
-  double coordinatePrecision, SourcePolylines& read)
+std::vector<RankAddress> barriersAt(
+  const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
 {
-  const std::vector<RankAddress> barriers = barriersAt(surface, located, coordinatePrecision);
+  return surface.barriers
+    ? surface.barriers->barriersAt(located.places, located.faces, coordinatePrecision)
+    : std::vector<RankAddress>(located.places.size(), RankAddress{ 0, NoId });
+}
+
+void leaveOutPointsInBarriers(
+  const LocatedPlaces& located, const std::vector<RankAddress>& barriers, SourcePolylines& read)
+{
   std::vector<bool> isRegion(read.ids.size(), false); // the first point may stand for all of one
   for (const LocatedPolyline& face : read.faces)
   {
@@ -633,9 +626,8 @@ void leaveOutPointsInBarriers(const PolyDataSurface& surface, const LocatedPlace
 
 void requireOutsideBarriers(const PolyDataSurface& surface,
   const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
-  const LocatedPlaces& located, double coordinatePrecision)
+  const LocatedPlaces& located, const std::vector<RankAddress>& barriers)
 {
-  const std::vector<RankAddress> barriers = barriersAt(surface, located, coordinatePrecision);
   for (const LocatedPolyline& line : polylines)
   {
     for (std::size_t i = 0; i < line.points.size(); ++i)
@@ -653,6 +645,12 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
       }
     }
   }
+}
+
+bool arePartsNamed(const std::vector<PolyDataBlock>& source)
+{
+  return std::any_of(source.begin(), source.end(),
+    [](const PolyDataBlock& block) { return !block.sourceIds.empty(); });
 }
 
 double coordinatePrecisionOf(const std::vector<PolyDataBlock>& source)

@@ -43,13 +43,12 @@ struct SourcePolylines
 /// vertex cells only is a set of points, as is one without any cell, all of whose points are
 /// sources. The id of a source is the number of its cell, or of its point in a set of points, over
 /// all blocks in their order. If blocks have PolyDataBlock::sourceIds, all that has one value is a
-/// source with this id.
+/// source with this id. Faces that lie in barriers are left out. All ranks call this together.
 ///
 /// \param surface that they belong to; the polylines have its scale. Points that name one of its
 ///        points and lie there are this vertex.
 /// \param areLinesJoined whether cells of two points that meet are one curve (LineChains.h), and
 ///        faces with a common edge one region, where no values tell what is one source.
-/// Faces that lie in barriers are left out. All ranks call this together.
 /// \throws SourceError where there is no point, one is not finite, or a value is no id, or if all
 ///         lies in barriers; Aborted.
 SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface,
@@ -63,23 +62,31 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PolyD
 SourcePolylines readTargetSets(
   const std::vector<PolyDataBlock>& blocks, const PartName& name, const PolyDataSurface& surface);
 
-/// Leaves out the single points of polylines that lie in a barrier, where no path comes to. All
-/// ranks call this together.
+/// For each place the barrier that it lies in, a face of surface.barriers->surface(); the id is
+/// NoId if it lies in none. All ranks call this together.
 ///
-/// \param located the points of the polylines.
-void leaveOutPointsInBarriers(const PolyDataSurface& surface, const LocatedPlaces& located,
-  double coordinatePrecision, SourcePolylines& read);
+/// \param coordinatePrecision relative precision of the points' coordinates.
+std::vector<RankAddress> barriersAt(
+  const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision);
+
+/// Leaves out the single points of polylines that lie in a barrier, where no path comes to.
+///
+/// \param located the points of the polylines, and barriers where these lie.
+void leaveOutPointsInBarriers(
+  const LocatedPlaces& located, const std::vector<RankAddress>& barriers, SourcePolylines& read);
 
 /// Makes sure that no point of a source lies in a barrier: no path could leave it. All ranks call
 /// this together, and all throw.
 ///
 /// \param surfaceBlocks what the surface was made of, for the message.
-/// \param located the points of the polylines.
-/// \param coordinatePrecision relative precision of the points' coordinates.
+/// \param located the points of the polylines, and barriers where these lie.
 /// \throws SourceError that names the polyline, the point and the cell.
 void requireOutsideBarriers(const PolyDataSurface& surface,
   const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
-  const LocatedPlaces& located, double coordinatePrecision);
+  const LocatedPlaces& located, const std::vector<RankAddress>& barriers);
+
+/// Whether values (PolyDataBlock::sourceIds) tell what is one source.
+bool arePartsNamed(const std::vector<PolyDataBlock>& source);
 
 /// The relative precision that the coordinates' type allows: that of the least precise block.
 double coordinatePrecisionOf(const std::vector<PolyDataBlock>& source);
