@@ -593,3 +593,25 @@ TEST(FacesWithoutArea, APathFromTheInsideOfOneIsFound)
     EXPECT_NEAR(lengthOf(engine, path), 0.3, 1e-12) << atApex;
   }
 }
+
+// The height of such a face lengthens paths over its longest edge to the corner there.
+TEST(FacesWithoutArea, PathsToTheCornerOfOneThatConductsAreAsLongAsInSpace)
+{
+  for (const double at : { 0.5, 0.1, 1e-3, 1e-6, 1e-9 })
+  {
+    PlainMesh mesh;
+    mesh.points = { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { at, 0.0, 0.0 }, { 0.4, -0.3, 0.0 } };
+    mesh.triangles = { { 0, 1, 2 }, { 1, 0, 3 } };
+    ASSERT_EQ(facesWithoutArea(mesh), 1U);
+    const TriangleMesh engine = engineMesh(mesh);
+    const auto from = [&](Index corner)
+    {
+      Sources source;
+      source.points = { MeshPoint{ corner < 3 ? 0U : 1U, { 0.0, 0.0, 1.0 } } };
+      return solveKeepingAll(engine, engineCurves(engine, source)).vertexDistances();
+    };
+    const double length = spaceDistance(mesh.points[2], mesh.points[3]);
+    EXPECT_NEAR(from(2)[3], length, OrdinaryAccuracy * length) << at;
+    EXPECT_NEAR(from(3)[2], length, OrdinaryAccuracy * length) << at;
+  }
+}
