@@ -4,7 +4,7 @@
 #include "PolyData/FilterExecution.h"
 #include "PolyData/SurfaceCache.h"
 #include "PolyData/ranks/SourcePatch.h"
-#include "PolyData/reading/SourceFaces.h"
+#include "PolyData/reading/CoveredFaces.h"
 #include "paths/FacesBetweenPoints.h"
 #include "paths/JoinPoints.h"
 #include "source/BoundaryCurves.h"

@@ -3,11 +3,6 @@
 
 #include "PolyData/Hash.h"
 #include "PolyData/reading/LineChains.h"
-#include "Tolerance.h"
-#include "mesh/FacesWithoutArea.h"
-#include "mesh/PolygonTriangles.h"
-#include "mesh/SurfaceLocator.h"
-#include "mesh/SurfaceSnap.h"
 
 #include <algorithm>
 #include <array>
@@ -37,31 +32,6 @@ struct FaceEdge
       std::tie(other.ends, other.face, other.corner);
   }
 };
-
-/// A corner of one of several faces.
-struct CornerOfFace
-{
-  std::size_t face = 0;
-  std::size_t corner = 0;
-};
-
-/// The numbers of each face's corners: points at one place have one number.
-std::vector<std::vector<std::uint64_t>> numberCorners(const std::vector<LocatedPolyline>& faces)
-{
-  using Place = std::array<double, 4>;
-  std::unordered_map<Place, std::uint64_t, Hash> numbers;
-  std::vector<std::vector<std::uint64_t>> corners(faces.size());
-  for (std::size_t face = 0; face < faces.size(); ++face)
-  {
-    for (std::size_t i = 0; i < faces[face].points.size(); ++i)
-    {
-      const Vec3 p = faces[face].points[i] + Vec3{}; // -0 and 0 are one place
-      const Place place = { p[0], p[1], p[2], static_cast<double>(faces[face].vertexOf(i)) };
-      corners[face].push_back(numbers.emplace(place, numbers.size()).first->second);
-    }
-  }
-  return corners;
-}
 
 /// The edges that have a length, equal ones side by side.
 std::vector<FaceEdge> edgesOf(const std::vector<std::vector<std::uint64_t>>& corners)
@@ -127,15 +97,6 @@ LocatedPolyline lineAlong(const LocatedPolyline& face, std::size_t corner)
   return line;
 }
 
-LocatedPolyline firstPointOf(const LocatedPolyline& face)
-{
-  LocatedPolyline point = lineAlong(face, 0);
-  point.points.pop_back();
-  point.vertices.pop_back();
-  point.pointNames.pop_back();
-  return point;
-}
-
 /// Gives each face the source of its region. \returns the sources that are gone, ascending.
 std::vector<Id> takeSourcesOfRegions(RegionsOfFaces& regions, std::vector<LocatedPolyline>& faces)
 {
@@ -191,194 +152,33 @@ std::vector<FaceEdge> outlinesOf(RegionsOfFaces& regions,
   return outlines;
 }
 
-/// The faces of a source as a mesh of triangles of their own.
-struct FaceTriangles
-{
-  std::vector<Vec3> points{};
-  std::vector<Triangle> triangles{};
-  /// The face of each triangle, and the first triangle of each face.
-  std::vector<std::size_t> faces{};
-  std::vector<std::size_t> first{};
-  Box box{};
+} // anonymous namespace
 
-  explicit FaceTriangles(const std::vector<LocatedPolyline>& given)
+std::vector<std::vector<std::uint64_t>> numberCorners(const std::vector<LocatedPolyline>& faces)
+{
+  using Place = std::array<double, 4>;
+  std::unordered_map<Place, std::uint64_t, Hash> numbers;
+  std::vector<std::vector<std::uint64_t>> corners(faces.size());
+  for (std::size_t face = 0; face < faces.size(); ++face)
   {
-    for (const LocatedPolyline& face : given)
+    for (std::size_t i = 0; i < faces[face].points.size(); ++i)
     {
-      const Id offset = static_cast<Id>(this->points.size());
-      this->first.push_back(this->triangles.size());
-      for (const Triangle& t : trianglesOf(face.points))
-      {
-        this->triangles.push_back({ offset + t[0], offset + t[1], offset + t[2] });
-        this->faces.push_back(this->first.size() - 1);
-      }
-      this->points.insert(this->points.end(), face.points.begin(), face.points.end());
-      std::for_each(face.points.begin(), face.points.end(),
-        [this](const Vec3& point) { this->box.add(point); });
+      const Vec3 p = faces[face].points[i] + Vec3{}; // -0 and 0 are one place
+      const Place place = { p[0], p[1], p[2], static_cast<double>(faces[face].vertexOf(i)) };
+      corners[face].push_back(numbers.emplace(place, numbers.size()).first->second);
     }
-    this->first.push_back(this->triangles.size());
   }
-
-  static std::vector<Triangle> trianglesOf(const std::vector<Vec3>& corners)
-  {
-    return corners.size() < 3 ? std::vector<Triangle>() : triangulatePolygon(corners).triangles;
-  }
-};
-
-Vec3 middleOf(const TriangleMesh& mesh, Id face)
-{
-  const Triangle& t = mesh.triangle(face);
-  return (1.0 / 3.0) * (mesh.point(t[0]) + mesh.point(t[1]) + mesh.point(t[2]));
+  return corners;
 }
 
-/// The triangles of faces, on the places of all corners, cut as those of a surface where faces have
-/// no area.
-class CutFaces
+LocatedPolyline firstPointOf(const LocatedPolyline& face)
 {
-public:
-  explicit CutFaces(const std::vector<LocatedPolyline>& faces)
-    : faces_(faces)
-    , isCut_(faces.size(), false)
-    , parts_(faces.size())
-  {
-    this->addTriangles();
-    std::vector<std::uint64_t> keys; // none in one process
-    const CutTriangles cut = removeFacesWithoutArea(
-      this->points_, keys, this->points_.size(), this->triangles_, {}, OneRank::instance());
-    const std::vector<Triangle>& parts = cut.isEmpty() ? this->triangles_ : cut.parts;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-    {
-      this->addPart(parts[i], cut.isEmpty() ? i : cut.triangles[i]);
-    }
-  }
-
-  bool isCut(std::size_t face) const { return this->isCut_[face]; }
-  /// Those with an area.
-  const std::vector<LocatedPolyline>& partsOf(std::size_t face) const { return this->parts_[face]; }
-
-private:
-  void addTriangles()
-  {
-    const std::vector<std::vector<std::uint64_t>> corners = numberCorners(this->faces_);
-    for (std::size_t face = 0; face < corners.size(); ++face)
-    {
-      for (std::size_t i = 0; i < corners[face].size(); ++i)
-      {
-        if (corners[face][i] == this->points_.size())
-        {
-          this->points_.push_back(this->faces_[face].points[i]);
-          this->firstAt_.push_back({ face, i });
-        }
-      }
-      for (const Triangle& t : FaceTriangles::trianglesOf(this->faces_[face].points))
-      {
-        const auto number = [&](std::size_t k) { return static_cast<Id>(corners[face][t[k]]); };
-        this->addTriangle({ number(0), number(1), number(2) }, face);
-      }
-    }
-  }
-
-  void addTriangle(const Triangle& triangle, std::size_t face)
-  {
-    if (!hasThreeVertices(triangle))
-    {
-      this->isCut_[face] = true;
-      return;
-    }
-    this->triangles_.push_back(triangle);
-    this->faceOf_.push_back(face);
-  }
-
-  void addPart(const Triangle& part, std::size_t triangle)
-  {
-    const std::size_t face = this->faceOf_[triangle];
-    const std::array<Vec3, 3> corners = { this->points_[part[0]], this->points_[part[1]],
-      this->points_[part[2]] };
-    const bool hasArea = !isWithoutArea(shapeOf(corners), corners);
-    this->isCut_[face] = this->isCut_[face] || part != this->triangles_[triangle] || !hasArea;
-    if (hasArea)
-    {
-      this->parts_[face].push_back(this->polygonOf(part, this->faces_[face]));
-    }
-  }
-
-  LocatedPolyline polygonOf(const Triangle& part, const LocatedPolyline& face) const
-  {
-    LocatedPolyline polygon;
-    polygon.name = face.name;
-    polygon.source = face.source;
-    polygon.closed = true;
-    for (const Id corner : part)
-    {
-      const bool isNew = corner >= this->firstAt_.size();
-      const CornerOfFace first = isNew ? CornerOfFace{} : this->firstAt_[corner];
-      const LocatedPolyline& with = this->faces_[first.face];
-      polygon.points.push_back(this->points_[corner]);
-      polygon.vertices.push_back(isNew ? NoId : with.vertexOf(first.corner));
-      polygon.pointNames.push_back(isNew ? face.name : with.nameOfPoint(first.corner));
-    }
-    return polygon;
-  }
-
-  const std::vector<LocatedPolyline>& faces_;
-  /// The place with each number, and the first corner there. A cut may add places.
-  std::vector<Vec3> points_;
-  std::vector<CornerOfFace> firstAt_;
-  std::vector<Triangle> triangles_;
-  std::vector<std::size_t> faceOf_;
-  /// Whether a face is not the whole of its triangles as they are.
-  std::vector<bool> isCut_;
-  std::vector<std::vector<LocatedPolyline>> parts_;
-};
-
-/// Whether faces of a source cover faces of a surface.
-struct CoverTest
-{
-  const TriangleMesh& surface;
-  const FaceTriangles& source;
-  const TriangleMesh& sourceMesh;
-  double precision;
-
-  /// Corners, middles of edges, and the middle: a polygon covers a triangle on its own corners if
-  /// it has these.
-  bool isCovered(Id face, std::size_t by) const
-  {
-    const Triangle& t = this->surface.triangle(face);
-    const Vec3& a = this->surface.point(t[0]);
-    const Vec3& b = this->surface.point(t[1]);
-    const Vec3& c = this->surface.point(t[2]);
-    return this->holds(by, a) && this->holds(by, b) && this->holds(by, c) &&
-      this->holds(by, 0.5 * (a + b)) && this->holds(by, 0.5 * (b + c)) &&
-      this->holds(by, 0.5 * (c + a)) && this->holds(by, middleOf(this->surface, face));
-  }
-
-  double area2(std::size_t of) const
-  {
-    double area2 = 0.0;
-    for (std::size_t t = this->source.first[of]; t < this->source.first[of + 1]; ++t)
-    {
-      area2 += this->sourceMesh.shape(static_cast<Id>(t)).area2;
-    }
-    return area2;
-  }
-
-  bool holds(std::size_t by, const Vec3& point) const
-  {
-    for (std::size_t t = this->source.first[by]; t < this->source.first[by + 1]; ++t)
-    {
-      const auto triangle = static_cast<Id>(t);
-      const SnappedPoint there = snapToFace(this->sourceMesh, triangle, point, this->precision);
-      const double cut = this->sourceMesh.shape(triangle).roundingOfCuts();
-      if (there.distance <= std::max(there.tolerance, cut))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-};
-
-} // anonymous namespace
+  LocatedPolyline point = lineAlong(face, 0);
+  point.points.pop_back();
+  point.vertices.pop_back();
+  point.pointNames.pop_back();
+  return point;
+}
 
 std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
   const std::vector<vtkIdType>& values, bool areJoined, std::vector<LocatedPolyline>& polylines)
@@ -419,109 +219,6 @@ std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
     }
   }
   return gone;
-}
-
-std::vector<std::vector<LocatedPolyline>> cutAtFacesWithoutArea(std::vector<LocatedPolyline>& faces)
-{
-  const CutFaces cut(faces);
-  std::vector<std::vector<LocatedPolyline>> parts;
-  std::vector<bool> isLeft;
-  for (std::size_t face = 0; face < faces.size(); ++face)
-  {
-    parts.push_back(
-      cut.isCut(face) ? cut.partsOf(face) : std::vector<LocatedPolyline>{ faces[face] });
-    isLeft.push_back(!parts.back().empty());
-  }
-  if (std::count(isLeft.begin(), isLeft.end(), true) == 0)
-  {
-    for (std::size_t face = 0; face < faces.size(); ++face)
-    {
-      parts[face] = { faces[face] };
-    }
-    return parts;
-  }
-  std::size_t left = 0;
-  for (std::size_t face = 0; face < faces.size(); ++face)
-  {
-    if (isLeft[face])
-    {
-      std::swap(faces[left], faces[face]);
-      std::swap(parts[left], parts[face]);
-      ++left;
-    }
-  }
-  faces.resize(left);
-  parts.resize(left);
-  return parts;
-}
-
-std::vector<LocatedPolyline> pointsInside(const std::vector<LocatedPolyline>& faces)
-{
-  const FaceTriangles source(faces);
-  const TriangleMesh mesh(source.points, source.triangles);
-  std::vector<LocatedPolyline> inside;
-  for (const LocatedPolyline& face : faces)
-  {
-    inside.push_back(firstPointOf(face));
-  }
-  std::vector<double> largest(faces.size(), -1.0);
-  for (Id triangle = 0; triangle < mesh.numberOfFaces(); ++triangle)
-  {
-    const std::size_t face = source.faces[mesh.inputFace(triangle)];
-    if (mesh.shape(triangle).area2 > largest[face])
-    {
-      largest[face] = mesh.shape(triangle).area2;
-      inside[face].points = { middleOf(mesh, triangle) };
-    }
-  }
-  return inside;
-}
-
-std::vector<CoveredFace> findCoveredFaces(const TriangleMesh& surface,
-  const std::vector<LocatedPolyline>& faces, double coordinatePrecision, bool isPart,
-  const Job& job)
-{
-  const FaceTriangles source(faces);
-  if (source.triangles.empty())
-  {
-    return {};
-  }
-  std::vector<Vec3> middles;
-  std::vector<std::uint8_t> isWanted;
-  for (Id face = 0; face < surface.numberOfFaces(); ++face)
-  {
-    middles.push_back(middleOf(surface, face));
-    isWanted.push_back(source.box.distanceTo(middles.back()) <= surface.shape(face).longest());
-  }
-  const TriangleMesh mesh(source.points, source.triangles);
-  const CoverTest test = { surface, source, mesh, coordinatePrecision };
-  const ClosestFaces closest =
-    SurfaceLocator(MeshPartition(mesh)).closest(middles, isWanted, coordinatePrecision, job);
-  std::vector<CoveredFace> inside;
-  std::vector<double> areas(faces.size(), 0.0);
-  for (Id face = 0; face < surface.numberOfFaces(); ++face)
-  {
-    for (const ClosestFace& found : closest[face])
-    {
-      const std::size_t by = source.faces[mesh.inputFace(found.face.id)];
-      const bool isKnown = !inside.empty() && inside.back().face == face &&
-        inside.back().source == static_cast<Id>(by);
-      if (!isKnown && test.isCovered(face, by))
-      {
-        inside.push_back({ face, static_cast<Id>(by) });
-        areas[by] += surface.shape(face).area2;
-      }
-    }
-  }
-  std::vector<CoveredFace> covered;
-  for (const CoveredFace& found : inside)
-  {
-    if (isPart || areas[found.source] >= (1.0 - tolerance::CoveredArea) * test.area2(found.source))
-    {
-      covered.push_back({ found.face, faces[found.source].source });
-    }
-  }
-  return covered;
 }
 
 }

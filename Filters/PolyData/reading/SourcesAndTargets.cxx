@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/reading/SourcesAndTargets.h"
 
+#include "PolyData/reading/CoveredFaces.h"
+#include "PolyData/reading/CutSourceFaces.h"
 #include "PolyData/reading/LineChains.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/SourceFaces.h"
