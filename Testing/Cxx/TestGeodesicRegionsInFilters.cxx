@@ -151,6 +151,13 @@ void CheckPaths(Check& check, const RegionScene& scene, const std::vector<double
   }
   for (std::size_t i = 0; i < targets.size(); ++i)
   {
+    // Where faces cross, which of them the middle of one lies on is open.
+    const std::size_t points = scene.made.whole.points.size();
+    if (i >= points &&
+      IsOnOtherFace(scene.made.whole, { static_cast<geodesictest::Index>(i - points), middle }))
+    {
+      continue;
+    }
     const bool isReached = std::isfinite(expected[i]);
     check.That(
       isReached ? std::abs(lengths[i] - expected[i]) <= 1e-8 * largest : std::isinf(lengths[i]),
