@@ -28,8 +28,10 @@ static_assert(FLT_EVAL_METHOD >= 0 && FLT_EVAL_METHOD != 2,
 constexpr double WithoutArea = 5e-12;
 
 /// A face without area that conducts by itself gets this height, as a fraction of its shortest
-/// edge: the root of Rounding, so that its lengths change by less than rounding.
-constexpr double RaisedHeight = 1e-8;
+/// edge. A path from its longest edge to the corner over it becomes longer by as much, of the order
+/// of rounding. No path goes on behind that corner, so that rays need not keep their directions
+/// there (see WithoutArea).
+constexpr double RaisedHeight = 1e-12;
 
 /// A face is thin if one of its altitudes is below this fraction of its edge: many times longer
 /// than high, as scans have hardly any face. From there on windows come again and again to the

@@ -169,7 +169,7 @@ double CheckScene(Check& check, RegionScene& scene)
 
 void CheckRandomScenes(Check& check)
 {
-  const geodesictest::Seeds seeds = geodesictest::seedsOfTest(8);
+  const geodesictest::Seeds seeds = geodesictest::seedsOfTest(3);
   for (const geodesictest::MeshKind& kind : geodesictest::meshKinds())
   {
     double worst = 0.0;

@@ -11,10 +11,10 @@ namespace geodesic
 namespace
 {
 
-/// How far each point is from its closest faces, and from what these may have lost where faces
-/// without area were cut off them.
+/// How far each point is from its closest faces, which reach as far as this fraction of their
+/// longest edge.
 std::vector<double> distancesTo(const MeshPartition& surface, const std::vector<Vec3>& points,
-  const ClosestFaces& closest, double coordinatePrecision)
+  const ClosestFaces& closest, double coordinatePrecision, double rim)
 {
   std::vector<double> distances(points.size(), Infinity);
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -25,8 +25,8 @@ std::vector<double> distancesTo(const MeshPartition& surface, const std::vector<
       {
         const double away =
           snapToFace(surface.mesh(), found.face.id, points[i], coordinatePrecision).distance;
-        const double cut = surface.mesh().shape(found.face.id).roundingOfCuts();
-        distances[i] = std::min(distances[i], std::max(away - cut, 0.0));
+        const double reach = rim * surface.mesh().shape(found.face.id).longest();
+        distances[i] = std::min(distances[i], std::max(away - reach, 0.0));
       }
     }
   }
@@ -36,10 +36,11 @@ std::vector<double> distancesTo(const MeshPartition& surface, const std::vector<
 
 } // anonymous namespace
 
-std::vector<RankAddress> BarrierFaces::barriersAt(
-  const std::vector<Vec3>& points, const ClosestFaces& closest, double coordinatePrecision)
+std::vector<RankAddress> BarrierFaces::barriersAt(const std::vector<Vec3>& points,
+  const ClosestFaces& closest, double coordinatePrecision, double rim)
 {
-  const std::vector<double> toOpen = distancesTo(this->open_, points, closest, coordinatePrecision);
+  const std::vector<double> toOpen =
+    distancesTo(this->open_, points, closest, coordinatePrecision, rim);
   std::vector<std::uint8_t> isBesideOpen;
   for (const double distance : toOpen)
   {

@@ -2,6 +2,7 @@
 #ifndef geodesic_BarrierFaces_h
 #define geodesic_BarrierFaces_h
 
+#include "Tolerance.h"
 #include "mesh/MeshPartition.h"
 #include "mesh/SurfaceLocator.h"
 
@@ -34,8 +35,10 @@ public:
   /// \param points the same on all ranks.
   /// \param closest the open faces that are closest to each point.
   /// \param coordinatePrecision relative precision of the points' coordinates.
-  std::vector<RankAddress> barriersAt(
-    const std::vector<Vec3>& points, const ClosestFaces& closest, double coordinatePrecision);
+  /// \param rim how wide it is, as a fraction of the longest edge of an open face: removing faces
+  ///        without area moves points of the surface by that.
+  std::vector<RankAddress> barriersAt(const std::vector<Vec3>& points, const ClosestFaces& closest,
+    double coordinatePrecision, double rim = tolerance::WithoutArea);
 
 private:
   MeshPartition open_;

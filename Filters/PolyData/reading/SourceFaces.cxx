@@ -3,11 +3,6 @@
 
 #include "PolyData/Hash.h"
 #include "PolyData/reading/LineChains.h"
-#include "Tolerance.h"
-#include "mesh/FacesWithoutArea.h"
-#include "mesh/PolygonTriangles.h"
-#include "mesh/SurfaceLocator.h"
-#include "mesh/SurfaceSnap.h"
 
 #include <algorithm>
 #include <array>
@@ -37,31 +32,6 @@ struct FaceEdge
       std::tie(other.ends, other.face, other.corner);
   }
 };
-
-/// A corner of one of several faces.
-struct CornerOfFace
-{
-  std::size_t face;
-  std::size_t corner;
-};
-
-/// The numbers of each face's corners: points at one place have one number.
-std::vector<std::vector<std::uint64_t>> numberCorners(const std::vector<LocatedPolyline>& faces)
-{
-  using Place = std::array<double, 4>;
-  std::unordered_map<Place, std::uint64_t, Hash> numbers;
-  std::vector<std::vector<std::uint64_t>> corners(faces.size());
-  for (std::size_t face = 0; face < faces.size(); ++face)
-  {
-    for (std::size_t i = 0; i < faces[face].points.size(); ++i)
-    {
-      const Vec3 p = faces[face].points[i] + Vec3{}; // -0 and 0 are one place
-      const Place place = { p[0], p[1], p[2], static_cast<double>(faces[face].vertexOf(i)) };
-      corners[face].push_back(numbers.emplace(place, numbers.size()).first->second);
-    }
-  }
-  return corners;
-}
 
 /// The edges that have a length, equal ones side by side.
 std::vector<FaceEdge> edgesOf(const std::vector<std::vector<std::uint64_t>>& corners)
@@ -127,32 +97,6 @@ LocatedPolyline lineAlong(const LocatedPolyline& face, std::size_t corner)
   return line;
 }
 
-LocatedPolyline firstPointOf(const LocatedPolyline& face)
-{
-  LocatedPolyline point = lineAlong(face, 0);
-  point.points.pop_back();
-  point.vertices.pop_back();
-  point.pointNames.pop_back();
-  return point;
-}
-
-/// Gives each face the source of its region. \returns the sources that are gone, ascending.
-std::vector<Id> takeSourcesOfRegions(RegionsOfFaces& regions, std::vector<LocatedPolyline>& faces)
-{
-  std::vector<Id> gone;
-  for (std::size_t face = 0; face < faces.size(); ++face)
-  {
-    const Id source = faces[regions.of(face)].source;
-    if (faces[face].source != source)
-    {
-      gone.push_back(faces[face].source);
-      faces[face].source = source;
-    }
-  }
-  std::sort(gone.begin(), gone.end());
-  return gone;
-}
-
 /// Whether each face repeats another of its region, as a ghost cell does.
 std::vector<bool> findRepeats(
   RegionsOfFaces& regions, std::vector<std::vector<std::uint64_t>> corners)
@@ -191,120 +135,36 @@ std::vector<FaceEdge> outlinesOf(RegionsOfFaces& regions,
   return outlines;
 }
 
-/// The faces of a source as a mesh of triangles of their own.
-struct FaceTriangles
-{
-  std::vector<Vec3> points{};
-  std::vector<Triangle> triangles{};
-  /// The face of each triangle, and the first triangle of each face.
-  std::vector<std::size_t> faces{};
-  std::vector<std::size_t> first{};
-  Box box{};
-
-  explicit FaceTriangles(const std::vector<LocatedPolyline>& given)
-  {
-    for (const LocatedPolyline& face : given)
-    {
-      const Id offset = static_cast<Id>(this->points.size());
-      this->first.push_back(this->triangles.size());
-      for (const Triangle& t : trianglesOf(face.points))
-      {
-        this->triangles.push_back({ offset + t[0], offset + t[1], offset + t[2] });
-        this->faces.push_back(this->first.size() - 1);
-      }
-      this->points.insert(this->points.end(), face.points.begin(), face.points.end());
-      std::for_each(face.points.begin(), face.points.end(),
-        [this](const Vec3& point) { this->box.add(point); });
-    }
-    this->first.push_back(this->triangles.size());
-  }
-
-  static std::vector<Triangle> trianglesOf(const std::vector<Vec3>& corners)
-  {
-    return corners.size() < 3 ? std::vector<Triangle>() : triangulatePolygon(corners).triangles;
-  }
-};
-
-Vec3 middleOf(const TriangleMesh& mesh, Id face)
-{
-  const Triangle& t = mesh.triangle(face);
-  return (1.0 / 3.0) * (mesh.point(t[0]) + mesh.point(t[1]) + mesh.point(t[2]));
-}
-
-/// A part of a face, whose corners have numbers.
-///
-/// \param points of these numbers.
-/// \param firstAt the first corner of a face with each number; points without one are new.
-LocatedPolyline partOf(const LocatedPolyline& face, const Triangle& corners,
-  const std::vector<Vec3>& points, const std::vector<CornerOfFace>& firstAt,
-  const std::vector<LocatedPolyline>& faces)
-{
-  LocatedPolyline part;
-  part.name = face.name;
-  part.source = face.source;
-  part.closed = true;
-  for (const Id corner : corners)
-  {
-    const bool isNew = corner >= firstAt.size();
-    const LocatedPolyline& with = isNew ? face : faces[firstAt[corner].face];
-    part.points.push_back(points[corner]);
-    part.vertices.push_back(isNew ? NoId : with.vertexOf(firstAt[corner].corner));
-    part.pointNames.push_back(isNew ? face.name : with.nameOfPoint(firstAt[corner].corner));
-  }
-  return part;
-}
-
-/// Whether faces of a source cover faces of a surface.
-struct CoverTest
-{
-  const TriangleMesh& surface;
-  const FaceTriangles& source;
-  const TriangleMesh& sourceMesh;
-  double precision;
-
-  /// Corners, middles of edges, and the middle: a polygon covers a triangle on its own corners if
-  /// it has these.
-  bool isCovered(Id face, std::size_t by) const
-  {
-    const Triangle& t = this->surface.triangle(face);
-    const Vec3& a = this->surface.point(t[0]);
-    const Vec3& b = this->surface.point(t[1]);
-    const Vec3& c = this->surface.point(t[2]);
-    return this->holds(by, a) && this->holds(by, b) && this->holds(by, c) &&
-      this->holds(by, 0.5 * (a + b)) && this->holds(by, 0.5 * (b + c)) &&
-      this->holds(by, 0.5 * (c + a)) && this->holds(by, middleOf(this->surface, face));
-  }
-
-  double area2(std::size_t of) const
-  {
-    double area2 = 0.0;
-    for (std::size_t t = this->source.first[of]; t < this->source.first[of + 1]; ++t)
-    {
-      area2 += this->sourceMesh.shape(static_cast<Id>(t)).area2;
-    }
-    return area2;
-  }
-
-  bool holds(std::size_t by, const Vec3& point) const
-  {
-    for (std::size_t t = this->source.first[by]; t < this->source.first[by + 1]; ++t)
-    {
-      const auto triangle = static_cast<Id>(t);
-      const SnappedPoint there = snapToFace(this->sourceMesh, triangle, point, this->precision);
-      const double cut = this->sourceMesh.shape(triangle).roundingOfCuts();
-      if (there.distance <= std::max(there.tolerance, cut))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-};
-
 } // anonymous namespace
 
-std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
-  const std::vector<vtkIdType>& values, bool areJoined, std::vector<LocatedPolyline>& polylines)
+std::vector<std::vector<std::uint64_t>> numberCorners(const std::vector<LocatedPolyline>& faces)
+{
+  using Place = std::array<double, 4>;
+  std::unordered_map<Place, std::uint64_t, Hash> numbers;
+  std::vector<std::vector<std::uint64_t>> corners(faces.size());
+  for (std::size_t face = 0; face < faces.size(); ++face)
+  {
+    for (std::size_t i = 0; i < faces[face].points.size(); ++i)
+    {
+      const Vec3 p = faces[face].points[i] + Vec3{}; // -0 and 0 are one place
+      const Place place = { p[0], p[1], p[2], static_cast<double>(faces[face].vertexOf(i)) };
+      corners[face].push_back(numbers.emplace(place, numbers.size()).first->second);
+    }
+  }
+  return corners;
+}
+
+LocatedPolyline firstPointOf(const LocatedPolyline& face)
+{
+  LocatedPolyline point = lineAlong(face, 0);
+  point.points.pop_back();
+  point.vertices.pop_back();
+  point.pointNames.pop_back();
+  return point;
+}
+
+void makeRegions(std::vector<LocatedPolyline>& faces, const std::vector<vtkIdType>& values,
+  bool areJoined, std::vector<LocatedPolyline>& polylines)
 {
   RegionsOfFaces regions(faces.size());
   std::unordered_map<vtkIdType, std::size_t> withValue;
@@ -321,7 +181,10 @@ std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
       regions.join(edges[i].face, edges[i - 1].face);
     }
   }
-  std::vector<Id> gone = takeSourcesOfRegions(regions, faces);
+  for (std::size_t face = 0; face < faces.size(); ++face)
+  {
+    faces[face].source = faces[regions.of(face)].source;
+  }
   std::vector<std::size_t> lines;
   std::vector<vtkIdType> regionOfLine;
   std::vector<bool> hasOutline(faces.size(), false);
@@ -341,134 +204,6 @@ std::vector<Id> makeRegions(std::vector<LocatedPolyline>& faces,
       polylines.push_back(firstPointOf(faces[face]));
     }
   }
-  return gone;
-}
-
-std::vector<std::vector<LocatedPolyline>> cutAtFacesWithoutArea(std::vector<LocatedPolyline>& faces)
-{
-  const std::vector<std::vector<std::uint64_t>> corners = numberCorners(faces);
-  std::vector<Vec3> points;
-  std::vector<CornerOfFace> firstAt;
-  std::vector<Triangle> triangles;
-  std::vector<std::size_t> faceOf;
-  for (std::size_t face = 0; face < faces.size(); ++face)
-  {
-    for (std::size_t i = 0; i < corners[face].size(); ++i)
-    {
-      if (corners[face][i] == points.size())
-      {
-        points.push_back(faces[face].points[i]);
-        firstAt.push_back({ face, i });
-      }
-    }
-    for (const Triangle& t : FaceTriangles::trianglesOf(faces[face].points))
-    {
-      const auto number = [&](std::size_t k) { return static_cast<Id>(corners[face][t[k]]); };
-      triangles.push_back({ number(0), number(1), number(2) });
-      faceOf.push_back(face);
-    }
-  }
-  std::vector<std::uint64_t> keys;
-  const CutTriangles cut =
-    removeFacesWithoutArea(points, keys, points.size(), triangles, {}, OneRank::instance());
-  std::vector<std::vector<LocatedPolyline>> parts(faces.size());
-  std::vector<bool> isCut(faces.size(), false);
-  for (std::size_t i = 0; i < cut.parts.size(); ++i)
-  {
-    const std::size_t face = faceOf[cut.triangles[i]];
-    const Triangle& part = cut.parts[i];
-    const std::array<Vec3, 3> at = { points[part[0]], points[part[1]], points[part[2]] };
-    const bool hasArea = !isWithoutArea(shapeOf(at), at);
-    isCut[face] = isCut[face] || part != triangles[cut.triangles[i]] || !hasArea;
-    if (hasArea)
-    {
-      parts[face].push_back(partOf(faces[face], part, points, firstAt, faces));
-    }
-  }
-  const bool isAnyLeft = std::any_of(
-    parts.begin(), parts.end(), [](const std::vector<LocatedPolyline>& p) { return !p.empty(); });
-  std::vector<LocatedPolyline> left;
-  std::vector<std::vector<LocatedPolyline>> partsLeft;
-  for (std::size_t face = 0; face < faces.size(); ++face)
-  {
-    const bool isWhole = !isAnyLeft || !isCut[face];
-    if (isWhole || !parts[face].empty())
-    {
-      partsLeft.push_back(isWhole ? std::vector<LocatedPolyline>{ faces[face] } : parts[face]);
-      left.push_back(std::move(faces[face]));
-    }
-  }
-  faces = std::move(left);
-  return partsLeft;
-}
-
-std::vector<LocatedPolyline> pointsInside(const std::vector<LocatedPolyline>& faces)
-{
-  const FaceTriangles source(faces);
-  const TriangleMesh mesh(source.points, source.triangles);
-  std::vector<LocatedPolyline> inside;
-  for (const LocatedPolyline& face : faces)
-  {
-    inside.push_back(firstPointOf(face));
-  }
-  std::vector<double> largest(faces.size(), -1.0);
-  for (Id triangle = 0; triangle < mesh.numberOfFaces(); ++triangle)
-  {
-    const std::size_t face = source.faces[mesh.inputFace(triangle)];
-    if (mesh.shape(triangle).area2 > largest[face])
-    {
-      largest[face] = mesh.shape(triangle).area2;
-      inside[face].points = { middleOf(mesh, triangle) };
-    }
-  }
-  return inside;
-}
-
-std::vector<CoveredFace> findCoveredFaces(const TriangleMesh& surface,
-  const std::vector<LocatedPolyline>& faces, double coordinatePrecision, bool isPart,
-  const Job& job)
-{
-  const FaceTriangles source(faces);
-  if (source.triangles.empty())
-  {
-    return {};
-  }
-  std::vector<Vec3> middles;
-  std::vector<std::uint8_t> isWanted;
-  for (Id face = 0; face < surface.numberOfFaces(); ++face)
-  {
-    middles.push_back(middleOf(surface, face));
-    isWanted.push_back(source.box.distanceTo(middles.back()) <= surface.shape(face).longest());
-  }
-  const TriangleMesh mesh(source.points, source.triangles);
-  const CoverTest test = { surface, source, mesh, coordinatePrecision };
-  const ClosestFaces closest =
-    SurfaceLocator(MeshPartition(mesh)).closest(middles, isWanted, coordinatePrecision, job);
-  std::vector<CoveredFace> inside;
-  std::vector<double> areas(faces.size(), 0.0);
-  for (Id face = 0; face < surface.numberOfFaces(); ++face)
-  {
-    for (const ClosestFace& found : closest[face])
-    {
-      const std::size_t by = source.faces[mesh.inputFace(found.face.id)];
-      const bool isKnown = !inside.empty() && inside.back().face == face &&
-        inside.back().source == static_cast<Id>(by);
-      if (!isKnown && test.isCovered(face, by))
-      {
-        inside.push_back({ face, static_cast<Id>(by) });
-        areas[by] += surface.shape(face).area2;
-      }
-    }
-  }
-  std::vector<CoveredFace> covered;
-  for (const CoveredFace& found : inside)
-  {
-    if (isPart || areas[found.source] >= (1.0 - tolerance::CoveredArea) * test.area2(found.source))
-    {
-      covered.push_back({ found.face, faces[found.source].source });
-    }
-  }
-  return covered;
 }
 
 }

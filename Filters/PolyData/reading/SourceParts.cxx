@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/reading/SourceParts.h"
 
+#include "PolyData/reading/CoveredFaces.h"
+#include "PolyData/reading/CutSourceFaces.h"
 #include "PolyData/reading/LineChains.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/SourceFaces.h"
@@ -64,8 +66,9 @@ void leaveOutFacesInBarriers(
   }
   const std::vector<LocatedPolyline> inside = pointsInside(cells.faces);
   const LocatedPlaces located = from.locator.locate(inside, cells.precision, job);
+  // Thin faces, too, lie in one or in the other: no rim.
   const std::vector<RankAddress> barriers =
-    from.surface.barriers->barriersAt(located.places, located.faces, cells.precision);
+    from.surface.barriers->barriersAt(located.places, located.faces, cells.precision, 0.0);
   std::size_t left = 0;
   for (std::size_t i = 0; i < inside.size(); ++i)
   {

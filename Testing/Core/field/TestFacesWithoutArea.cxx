@@ -574,3 +574,44 @@ TEST(FacesWithoutArea, APathAcrossAPocketEnds)
     }
   }
 }
+
+// A face without area that conducts has a height that it does not have in space, so that a point in
+// it is farther from its corners than in space.
+TEST(FacesWithoutArea, APathFromTheInsideOfOneIsFound)
+{
+  PlainMesh mesh;
+  mesh.points = { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.5, 0.0, 0.0 }, { 0.5, 0.3, 0.0 },
+    { 0.8, 0.3, 0.0 } };
+  mesh.triangles = { { 0, 1, 2 }, { 2, 4, 3 } };
+  const TriangleMesh engine = engineMesh(mesh);
+  for (const double atApex : { 0.0, 0.3, 0.78, 0.99 })
+  {
+    const double rest = 0.5 * (1.0 - atApex);
+    const std::vector<SurfacePoint> path = geodesic::joinByShortestPaths(engine)(
+      geodesic::fromBarycentric(engine, 0, { rest, rest, atApex }), SurfacePoint::atVertex(3), {});
+    ASSERT_GE(path.size(), 3U) << atApex;
+    EXPECT_NEAR(lengthOf(engine, path), 0.3, 1e-12) << atApex;
+  }
+}
+
+// The height of such a face lengthens paths over its longest edge to the corner there.
+TEST(FacesWithoutArea, PathsToTheCornerOfOneThatConductsAreAsLongAsInSpace)
+{
+  for (const double at : { 0.5, 0.1, 1e-3, 1e-6, 1e-9 })
+  {
+    PlainMesh mesh;
+    mesh.points = { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { at, 0.0, 0.0 }, { 0.4, -0.3, 0.0 } };
+    mesh.triangles = { { 0, 1, 2 }, { 1, 0, 3 } };
+    ASSERT_EQ(facesWithoutArea(mesh), 1U);
+    const TriangleMesh engine = engineMesh(mesh);
+    const auto from = [&](Index corner)
+    {
+      Sources source;
+      source.points = { MeshPoint{ corner < 3 ? 0U : 1U, { 0.0, 0.0, 1.0 } } };
+      return solveKeepingAll(engine, engineCurves(engine, source)).vertexDistances();
+    };
+    const double length = spaceDistance(mesh.points[2], mesh.points[3]);
+    EXPECT_NEAR(from(2)[3], length, OrdinaryAccuracy * length) << at;
+    EXPECT_NEAR(from(3)[2], length, OrdinaryAccuracy * length) << at;
+  }
+}
