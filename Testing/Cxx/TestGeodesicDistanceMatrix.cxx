@@ -116,7 +116,8 @@ void CheckSources(Check& check)
     {
       const double distance = At(table, t, s);
       const double truth = expected[t][s];
-      check.That(distance == truth || std::abs(distance - truth) <= 1e-15,
+      // A path crosses up to 30 faces, each with a rounding or two.
+      check.That(distance == truth || std::abs(distance - truth) <= 4e-15,
         "source " + std::to_string(s) + ": " + std::to_string(distance));
     }
   }

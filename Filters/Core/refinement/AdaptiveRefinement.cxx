@@ -24,7 +24,7 @@ std::unique_ptr<SurfaceRefiner> refineWithinRoom(
   const DistanceField& field, const RefinementOptions& options)
 {
   constexpr double EnoughOfRoom = 0.97;
-  constexpr int MostRuns = 12;
+  constexpr int MostRuns = 16;
   std::unique_ptr<SurfaceRefiner> best;
   double fits = Infinity;
   double tooSmall = options.tolerance;
