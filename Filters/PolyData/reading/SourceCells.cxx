@@ -94,7 +94,7 @@ struct SourceBlockReader
 
   using Adder = void (SourceBlockReader::*)(vtkIdType, const vtkIdType*);
 
-  void read(vtkCellArray* array, Adder add)
+  void read(vtkCellArray* array, Adder addCell)
   {
     const bool isPolyData = this->block.inputCells.empty();
     forEachCell(array,
@@ -104,7 +104,7 @@ struct SourceBlockReader
         const bool isTaken = (size > 0 || isPolyData) && this->takeNumber(this->inputCell());
         if (isTaken && size > 0)
         {
-          (this->*add)(size, ids);
+          (this->*addCell)(size, ids);
         }
         else if (isTaken)
         {
