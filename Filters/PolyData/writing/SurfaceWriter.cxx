@@ -109,6 +109,10 @@ bool isLabel(vtkPointData* data, int index)
     data->IsArrayAnAttribute(index) == vtkDataSetAttributes::PEDIGREEIDS;
 }
 
+/// So many are fast, and the watcher hears of each part. For 10,000 and more VTK starts threads, and
+/// if there is too little memory for them, the process ends.
+constexpr vtkIdType TuplesAtOnce = 8192;
+
 vtkUnsignedCharArray* asGhosts(vtkAbstractArray* array)
 {
   const char* name = array->GetName();
@@ -132,7 +136,10 @@ void interpolatePointData(
     return;
   }
   to->SetNumberOfTuples(count);
-  to->CopyData(from, 0, old, 0);
+  for (vtkIdType first = 0; first < old; first += TuplesAtOnce)
+  {
+    to->CopyData(from, first, std::min(TuplesAtOnce, old - first), first);
+  }
   const std::vector<Blend> blends = blendsOf(refined);
   vtkNew<vtkIdList> corners;
   for (int i = 0; i < to->GetNumberOfArrays(); ++i)
@@ -174,13 +181,12 @@ void copyData(vtkDataSetAttributes* from, vtkIdType count, const OldOf& oldOf,
   {
     return;
   }
-  constexpr vtkIdType atOnce = 8192; // whole arrays are fast, and the watcher hears of each part
   vtkNew<vtkIdList> olds;
   vtkNew<vtkIdList> news;
-  for (vtkIdType first = 0; first < count; first += atOnce)
+  for (vtkIdType first = 0; first < count; first += TuplesAtOnce)
   {
     job.reachItem(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
-    const vtkIdType size = std::min(atOnce, count - first);
+    const vtkIdType size = std::min(TuplesAtOnce, count - first);
     olds->SetNumberOfIds(size);
     news->SetNumberOfIds(size);
     for (vtkIdType i = 0; i < size; ++i)
