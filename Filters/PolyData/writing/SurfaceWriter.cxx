@@ -109,8 +109,8 @@ bool isLabel(vtkPointData* data, int index)
     data->IsArrayAnAttribute(index) == vtkDataSetAttributes::PEDIGREEIDS;
 }
 
-/// So many are fast, and the watcher hears of each part. For 10,000 and more VTK starts threads, and
-/// if there is too little memory for them, the process ends.
+/// So many are fast, and the watcher hears of each part. For 10,000 and more VTK starts threads; if
+/// there is too little memory for them, the process ends.
 constexpr vtkIdType TuplesAtOnce = 8192;
 
 vtkUnsignedCharArray* asGhosts(vtkAbstractArray* array)
