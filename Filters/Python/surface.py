@@ -212,7 +212,9 @@ class Surface:
 
     def _table(self, source, targets, **given):
         """The matrix, in which points that no face uses are infinitely far."""
-        data, columns = (None, np.ones(0, bool)) if source is None else self._places(source, inputs.SOURCE, may_be_faces=True)
+        data, columns = None, np.ones(0, bool)
+        if source is not None:
+            data, columns = self._places(source, inputs.SOURCE, may_be_faces=True)
         if given["source_ids"] is not None:
             self._source(source)  # of whose points each has an id: none may be missing
         if columns.size and not columns.any():

@@ -45,6 +45,21 @@ constexpr double OrdinaryAccuracy = 2e-12;
 double accuracyOn(const MeshKind& kind);
 
 geodesic::TriangleMesh engineMesh(const PlainMesh& mesh);
+
+/// Calls test(mesh, other, how) for a mesh of each kind, and for the same mesh with vertices, faces
+/// and corners in another order. On ranks faces are in another order than in one process.
+template <typename Test>
+void forMeshesInAnotherOrder(const Test& test)
+{
+  for (const MeshKind& kind : meshKinds())
+  {
+    SCOPED_TRACE(kind.name);
+    Random random(1);
+    const PlainMesh mesh = kind.make(randomSize(random), random);
+    const Renumbered other = renumbered(mesh, random);
+    test(engineMesh(mesh), engineMesh(other.mesh), other);
+  }
+}
 /// The number of faces without area (geodesic::isWithoutArea).
 std::size_t facesWithoutArea(const PlainMesh& mesh);
 

@@ -41,23 +41,6 @@ inline void SetPointLabels(vtkPolyData* data, const std::vector<int>& values)
   data->GetPointData()->AddArray(Labels(values));
 }
 
-inline Point MiddleOf(vtkPolyData* data, vtkIdType cell)
-{
-  vtkNew<vtkIdList> ids;
-  data->GetCellPoints(cell, ids);
-  Point middle{};
-  for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
-  {
-    Point p;
-    data->GetPoint(ids->GetId(k), p.data());
-    for (std::size_t x = 0; x < 3; ++x)
-    {
-      middle[x] += p[x] / static_cast<double>(ids->GetNumberOfIds());
-    }
-  }
-  return middle;
-}
-
 /// Gives each cell a label by its middle.
 template <typename Array = vtkIntArray>
 vtkSmartPointer<vtkPolyData> Labelled(
@@ -66,7 +49,7 @@ vtkSmartPointer<vtkPolyData> Labelled(
   std::vector<int> values;
   for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
   {
-    values.push_back(labelAt(MiddleOf(surface, cell)));
+    values.push_back(labelAt(CentreOf(surface, cell)));
   }
   surface->GetCellData()->AddArray(Labels<Array>(values));
   return surface;

@@ -237,7 +237,7 @@ void CheckBarriers(Check& check)
   AddArrayOf<vtkIntArray>(surface->GetCellData(), "Wall", surface->GetNumberOfCells(),
     [&](vtkIdType i)
     {
-      const Point p = MiddleOf(surface, i);
+      const Point p = CentreOf(surface, i);
       return p[0] > 0.5 && p[0] < 0.625 && p[1] < 0.875 ? 1 : 0;
     });
   const auto source = PointSources({ { 0.25, 0.25, 0 } });
@@ -333,7 +333,7 @@ void CheckRandomRegions(Check& check, std::uint64_t seed)
   for (int i = 0; i < 6; ++i)
   {
     const auto cells = static_cast<std::uint64_t>(random.Surface->GetNumberOfCells());
-    middles.push_back(MiddleOf(random.Surface, static_cast<vtkIdType>(numbers() % cells)));
+    middles.push_back(CentreOf(random.Surface, static_cast<vtkIdType>(numbers() % cells)));
   }
   const auto labelAt = [&middles](const Point& p)
   {

@@ -184,6 +184,7 @@ void TestNames(Check& check, Ranks ranks, vtkPolyData* sphere)
       ids.count(701.0) == 0,
     "the ids of all ranks are values of the array");
 }
+
 /// Targets far from the surface, on whichever rank they were and wherever they were put, are told
 /// once, in the order of all.
 void TestFarTargets(Check& check, Ranks ranks, vtkPolyData* surface)

@@ -204,6 +204,7 @@ private:
       }
     }
   }
+
   void limitBatchWidth(Id vertex, float width)
   {
     this->states_[vertex].batchWidth = std::min(this->states_[vertex].batchWidth, width);

@@ -10,13 +10,14 @@ namespace geodesic
 namespace
 {
 
-// By where its origin and its apex lie, as ranks have faces in another order than one process. If
-// two apexes are at one place, their order decides.
-Id nameOf(const TriangleMesh& mesh, Id halfedge)
+// The halfedge along which an edge runs, by where its origin and its apex lie, as ranks have faces
+// in another order than one process. If two apexes are at one place, their order decides.
+//
+// \param first of the edge (TriangleMesh::edgeOf).
+Id directionOf(const TriangleMesh& mesh, Id first)
 {
   const auto key = [&mesh](Id h)
   { return std::pair(mesh.point(mesh.origin(h)), mesh.point(mesh.opposite(h))); };
-  const Id first = mesh.edgeOf(halfedge);
   Id least = first;
   for (Id s = mesh.nextSibling(first); s != first; s = mesh.nextSibling(s))
   {
@@ -29,18 +30,19 @@ Id nameOf(const TriangleMesh& mesh, Id halfedge)
 
 Id CutEdges::ensure(Id halfedge)
 {
-  const Id name = nameOf(this->mesh_, halfedge);
-  const auto [found, isNew] = this->numbers_.emplace(name, this->size());
+  const Id first = this->mesh_.edgeOf(halfedge);
+  const auto [found, isNew] = this->numbers_.emplace(first, this->size());
   if (isNew)
   {
-    this->edges_.push_back({ name, this->mesh_.length(name), {}, { Deviation::unknown() } });
+    const Id along = directionOf(this->mesh_, first);
+    this->edges_.push_back({ along, this->mesh_.length(along), {}, { Deviation::unknown() } });
   }
   return found->second;
 }
 
 Id CutEdges::find(Id halfedge) const
 {
-  const auto found = this->numbers_.find(nameOf(this->mesh_, halfedge));
+  const auto found = this->numbers_.find(this->mesh_.edgeOf(halfedge));
   return found == this->numbers_.end() ? NoId : found->second;
 }
 

@@ -31,8 +31,8 @@ struct PointOnEdge
 /// can arise.
 struct CutEdge
 {
-  /// The one along which it runs and that names it, for any order of the faces: of all at the edge
-  /// the one whose origin and apex have the least coordinates.
+  /// The one along which it runs, the same for any order of the faces: of all at the edge the one
+  /// whose origin and apex have the least coordinates.
   Id halfedge;
   double length;
   /// The numbers of its points, in their order along it.

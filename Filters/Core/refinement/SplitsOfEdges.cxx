@@ -14,8 +14,8 @@ namespace geodesic
 namespace
 {
 
-/// An edge as all ranks know it that own a face there: the face of the halfedge that names
-/// it, and the halfedge's number there.
+/// An edge as all ranks know it that own a face there: the face of CutEdge::halfedge, and the
+/// halfedge's number in it.
 struct EdgeAddress
 {
   RankAddress face;
@@ -172,7 +172,7 @@ std::vector<Id> SplitsOfEdges::split(std::vector<SplitRequest> requests)
   return changed;
 }
 
-// The rank of the first face there that is refined, from the face that names the edge: it measures
+// The rank of the first face there that is refined, from that of CutEdge::halfedge on: it measures
 // what one process would. All ranks have these faces in one order. This rank refines one of its
 // own: it has asked for the split.
 int SplitsOfEdges::deciderOf(Id edge) const

@@ -73,22 +73,16 @@ TEST(Batches, FollowTheFrontAndAreAsWideAsHalfAnEdgeAtMost)
   }
 }
 
-// On ranks faces are in another order than in one process.
 TEST(Batches, DoNotDependOnTheOrderOfFaces)
 {
-  for (const MeshKind& kind : meshKinds())
-  {
-    SCOPED_TRACE(kind.name);
-    Random random(1);
-    const PlainMesh mesh = kind.make(randomSize(random), random);
-    const Renumbered other = renumbered(mesh, random);
-    const TriangleMesh one = engineMesh(mesh);
-    const TriangleMesh two = engineMesh(other.mesh);
-    const geodesic::VertexStates states(one, false, false, {});
-    const geodesic::VertexStates otherStates(two, false, false, {});
-    for (Id vertex = 0; vertex < states.size(); ++vertex)
+  forMeshesInAnotherOrder(
+    [](const TriangleMesh& one, const TriangleMesh& two, const Renumbered& other)
     {
-      EXPECT_EQ(states[vertex].batchWidth, otherStates[other.vertexMap[vertex]].batchWidth);
-    }
-  }
+      const geodesic::VertexStates states(one, false, false, {});
+      const geodesic::VertexStates otherStates(two, false, false, {});
+      for (Id vertex = 0; vertex < states.size(); ++vertex)
+      {
+        EXPECT_EQ(states[vertex].batchWidth, otherStates[other.vertexMap[vertex]].batchWidth);
+      }
+    });
 }

@@ -25,34 +25,28 @@ using geodesic::Id;
 using geodesic::Triangle;
 using geodesic::TriangleMesh;
 
-// On ranks faces are in another order than in one process.
 TEST(CutEdges, RunTheSameWayFromTheSameFaceForAnyOrderOfFaces)
 {
-  for (const MeshKind& kind : meshKinds())
-  {
-    SCOPED_TRACE(kind.name);
-    Random random(1);
-    const PlainMesh mesh = kind.make(randomSize(random), random);
-    const Renumbered other = renumbered(mesh, random);
-    const TriangleMesh one = engineMesh(mesh);
-    const TriangleMesh two = engineMesh(other.mesh);
-    geodesic::CutEdges edges(one);
-    geodesic::CutEdges otherEdges(two);
-    for (Id halfedge = 0; halfedge < one.numberOfHalfedges(); ++halfedge)
+  forMeshesInAnotherOrder(
+    [](const TriangleMesh& one, const TriangleMesh& two, const Renumbered& other)
     {
-      const auto inOther = [&](Id h)
+      geodesic::CutEdges edges(one);
+      geodesic::CutEdges otherEdges(two);
+      for (Id halfedge = 0; halfedge < one.numberOfHalfedges(); ++halfedge)
       {
-        const Index face = TriangleMesh::faceOf(h);
-        return TriangleMesh::halfedgeOf(
-          other.faceMap[face], (TriangleMesh::indexInFace(h) + other.cornerShift[face]) % 3);
-      };
-      const Id edge = edges.ensure(halfedge);
-      const Id otherEdge = otherEdges.ensure(inOther(halfedge));
-      EXPECT_EQ(otherEdges[otherEdge].halfedge, inOther(edges[edge].halfedge));
-      EXPECT_EQ(otherEdges[otherEdge].length, edges[edge].length);
-    }
-    EXPECT_EQ(otherEdges.size(), edges.size());
-  }
+        const auto inOther = [&](Id h)
+        {
+          const Index face = TriangleMesh::faceOf(h);
+          return TriangleMesh::halfedgeOf(
+            other.faceMap[face], (TriangleMesh::indexInFace(h) + other.cornerShift[face]) % 3);
+        };
+        const Id edge = edges.ensure(halfedge);
+        const Id otherEdge = otherEdges.ensure(inOther(halfedge));
+        EXPECT_EQ(otherEdges[otherEdge].halfedge, inOther(edges[edge].halfedge));
+        EXPECT_EQ(otherEdges[otherEdge].length, edges[edge].length);
+      }
+      EXPECT_EQ(otherEdges.size(), edges.size());
+    });
 }
 
 TEST(FaceTriangles, PointsOfOneSideAreNoTriangle)
