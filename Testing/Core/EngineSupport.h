@@ -60,6 +60,7 @@ void forMeshesInAnotherOrder(const Test& test)
     test(engineMesh(mesh), engineMesh(other.mesh), other);
   }
 }
+
 /// The number of faces without area (geodesic::isWithoutArea).
 std::size_t facesWithoutArea(const PlainMesh& mesh);
 
