@@ -79,6 +79,13 @@ TEST(ThreadTrial, FollowsAMachineThatIsTakenByOthersAndGivenBack)
   EXPECT_GT(front.run(OneSecond), 0.9);
 }
 
+TEST(ThreadTrial, DoesNotTryAFrontThatIsWideForAMoment)
+{
+  Front front;
+  EXPECT_EQ(front.run(microseconds(9000)), 0.0);
+  EXPECT_GT(front.run(microseconds(9000)), 0.5);
+}
+
 TEST(ThreadTrial, NeverSplitsANarrowFrontNorAsksForTheTime)
 {
   Front front;
