@@ -61,8 +61,9 @@ constexpr double SameEmission = 64.0 * Rounding;
 /// differ by no more than this fraction: each is a sum.
 constexpr double SameLength = 2.0 * Rounding;
 
-/// Where two windows are cut against each other, distances that differ by no more than this
-/// fraction are equal: both carry the rounding of a sum and a root.
+/// Where two windows are cut against each other, and of two straight ways to a vertex, distances
+/// that differ by no more than this fraction are equal: both carry the rounding of a sum and a
+/// root.
 constexpr double Evaluation = 8.0 * Rounding;
 
 /// Neighbouring windows are one if their sources differ by no more than this fraction of the

@@ -271,6 +271,33 @@ void SegmentEnvelope::cutNear(Vec2 p, Vec2 u, double length, bool withBent)
 
 // Returns whether neighbours are equal where they meet. A piece that fills a gap of rounding may be
 // far above the distance: its neighbours replace it.
+// Among slivers thousands of pieces may cover the segment, each of which the builder compares with
+// all that are there. The envelopes of both halves, whose pieces do not overlap, take far less.
+void SegmentEnvelope::buildFrom(std::size_t first, std::size_t last, double length)
+{
+  constexpr std::size_t Many = 512;
+  std::vector<Window> joined;
+  if (last - first > Many)
+  {
+    const std::size_t middle = first + (last - first) / 2;
+    this->buildFrom(first, middle, length);
+    const std::vector<Window> before(
+      this->builder_.windows().begin(), this->builder_.windows().end());
+    this->buildFrom(middle, last, length);
+    std::merge(before.begin(), before.end(), this->builder_.windows().begin(),
+      this->builder_.windows().end(), std::back_inserter(joined),
+      [](const Window& a, const Window& b) { return a.begin < b.begin; });
+    first = 0;
+    last = joined.size();
+  }
+  const std::vector<Window>& pieces = joined.empty() ? this->pieces_ : joined;
+  this->builder_.reset(length);
+  for (std::size_t i = first; i < last; ++i)
+  {
+    this->builder_.append(pieces[i]);
+  }
+}
+
 bool SegmentEnvelope::build(Vec2 p, Vec2 u, double length, bool withBent)
 {
   this->cutNear(p, u, length, withBent);
@@ -281,11 +308,7 @@ bool SegmentEnvelope::build(Vec2 p, Vec2 u, double length, bool withBent)
   std::sort(this->pieces_.begin(), this->pieces_.end(),
     [&rest](const Window& a, const Window& b)
     { return a.begin != b.begin ? a.begin < b.begin : rest(a) < rest(b); });
-  this->builder_.reset(length);
-  for (const Window& piece : this->pieces_)
-  {
-    this->builder_.append(piece);
-  }
+  this->buildFrom(0, this->pieces_.size(), length);
   this->envelope_.clear();
   std::copy_if(this->builder_.windows().begin(), this->builder_.windows().end(),
     std::back_inserter(this->envelope_),

@@ -58,6 +58,7 @@ private:
   };
 
   void cutNear(Vec2 p, Vec2 u, double length, bool withBent);
+  void buildFrom(std::size_t first, std::size_t last, double length);
   bool build(Vec2 p, Vec2 u, double length, bool withBent);
   bool findSublevels(double length, double value);
   bool isBelow(double x) const;

@@ -136,8 +136,10 @@ public:
     }
     const auto isTie = [&, isBound = isShorter && this->isBoundOnly(update)](double tie)
     { return distance >= state.distance * (1.0 - tie) || isBound; };
+    const auto isSurelyShorter = [&]
+    { return !isTie(this->isStraight(update) ? tolerance::Evaluation : tolerance::Tie); };
     if (!this->arrivals_.empty() &&
-      ((isShorter && !isTie(tolerance::Tie)) || this->isBetterArrival(update, distance)))
+      ((isShorter && isSurelyShorter()) || this->isBetterArrival(update, distance)))
     {
       this->arrivals_[update.vertex] = update.from;
     }
@@ -223,8 +225,13 @@ private:
   bool isBetterArrival(const DistanceUpdate& update, double distance) const
   {
     return this->isArrivalWanted(update.vertex, distance) &&
-      (!this->arrivals_[update.vertex].isKnown() ||
-        (update.from.isKnown() && !isBent(this->mesh_, update.from)));
+      (!this->arrivals_[update.vertex].isKnown() || this->isStraight(update));
+  }
+  // Whether an exact path does not bend. Such a path, which is shorter by less than a tie, lies
+  // beside the other by the root of the tie: in a needle that may be as much as its altitude.
+  bool isStraight(const DistanceUpdate& update) const
+  {
+    return this->errors_.empty() && update.from.isKnown() && !isBent(this->mesh_, update.from);
   }
   /// A bound along an edge does not determine the arrival: one that is a rounding longer stays.
   bool isBoundOnly(const DistanceUpdate& update) const

@@ -308,6 +308,43 @@ TEST(ShortestPath, FromAPointARoundingBesideAVertexOrAnEdgeIsWhole)
   }
 }
 
+// Needles from vertex 2, which lies below the straight line, to points above it, and two faces
+// below that make it a pseudo-source. The path along the edges is longer by 1e-15 to 1e-12, and
+// comes first.
+TEST(ShortestPath, RunsStraightBesideAVertexThatMakesItLongerByATie)
+{
+  for (Random& random : EachSeed(300))
+  {
+    const double beside = std::pow(10.0, random.uniform(-7.3, -6.2));
+    const double x = random.uniform(0.2, 0.8);
+    PlainMesh mesh;
+    mesh.points = { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { x, -beside, 0.0 },
+      { 0.5 * x, -0.1, 0.0 }, { 0.5 + 0.5 * x, -0.1, 0.0 } };
+    mesh.triangles = { { 0, 3, 2 }, { 2, 4, 1 } };
+    const double height = beside * std::pow(10.0, random.uniform(0.0, 5.0));
+    const Index needles = random.between(1, 3);
+    for (Index i = 0, last = 0; i <= needles; ++i)
+    {
+      const Index next = i < needles ? static_cast<Index>(mesh.points.size()) : 1;
+      mesh.triangles.push_back({ last, 2, next });
+      mesh.points.push_back({ (i + random.uniform(0.1, 0.9)) / needles, height, 0.0 });
+      last = next;
+    }
+    mesh.points.pop_back();
+    const TriangleMesh engine = engineMesh(mesh);
+    const SurfacePoint ends[] = { SurfacePoint::atVertex(0), SurfacePoint::atVertex(1) };
+    const geodesic::JoinPoints join = geodesic::joinByShortestPaths(engine);
+    for (const auto& path : { join(ends[0], ends[1], {}), join(ends[1], ends[0], {}) })
+    {
+      ASSERT_EQ(path.size(), 2U + needles);
+      for (const PathPoint& point : PathChecker(mesh).plain(path))
+      {
+        EXPECT_NEAR(point.place[1], 0.0, 0.3 * beside);
+      }
+    }
+  }
+}
+
 TEST(ShortestPath, CrossesATinyEdgeAtTheEndOfALongWayWhereTheStraightLineDoes)
 {
   const double h = 5e-14;
