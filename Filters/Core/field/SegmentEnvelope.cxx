@@ -269,35 +269,32 @@ void SegmentEnvelope::cutNear(Vec2 p, Vec2 u, double length, bool withBent)
   }
 }
 
-// Returns whether neighbours are equal where they meet. A piece that fills a gap of rounding may be
-// far above the distance: its neighbours replace it.
 // Among slivers thousands of pieces may cover the segment, each of which the builder compares with
 // all that are there. The envelopes of both halves, whose pieces do not overlap, take far less.
 void SegmentEnvelope::buildFrom(std::size_t first, std::size_t last, double length)
 {
   constexpr std::size_t Many = 512;
-  std::vector<Window> joined;
   if (last - first > Many)
   {
     const std::size_t middle = first + (last - first) / 2;
     this->buildFrom(first, middle, length);
-    const std::vector<Window> before(
-      this->builder_.windows().begin(), this->builder_.windows().end());
+    const std::vector<Window> ofFirst = this->builder_.windows();
     this->buildFrom(middle, last, length);
-    std::merge(before.begin(), before.end(), this->builder_.windows().begin(),
-      this->builder_.windows().end(), std::back_inserter(joined),
-      [](const Window& a, const Window& b) { return a.begin < b.begin; });
-    first = 0;
-    last = joined.size();
+    const std::vector<Window> ofSecond = this->builder_.windows();
+    this->builder_.reset(length);
+    this->builder_.appendLists({ ofFirst.data(), ofFirst.data() + ofFirst.size() },
+      { ofSecond.data(), ofSecond.data() + ofSecond.size() });
+    return;
   }
-  const std::vector<Window>& pieces = joined.empty() ? this->pieces_ : joined;
   this->builder_.reset(length);
   for (std::size_t i = first; i < last; ++i)
   {
-    this->builder_.append(pieces[i]);
+    this->builder_.append(this->pieces_[i]);
   }
 }
 
+// Returns whether neighbours are equal where they meet. A piece that fills a gap of rounding may be
+// far above the distance: its neighbours replace it.
 bool SegmentEnvelope::build(Vec2 p, Vec2 u, double length, bool withBent)
 {
   this->cutNear(p, u, length, withBent);
