@@ -376,8 +376,7 @@ const Sources* Inputs::setsOfTargets() const
 
 SourceWindows Inputs::sourceWindows(const Job& job) const
 {
-  return sourceWindowsOfPartition(this->surface->partition, *this->patch,
-    makeSourceWindows(this->patch->mesh(), this->sources.curves, job));
+  return makeSourceWindows(this->surface->partition, *this->patch, this->sources.curves, job);
 }
 
 Inputs readInputs(const InputRequest& request, const ExecutionPlan& plan, SurfaceCache& cache,

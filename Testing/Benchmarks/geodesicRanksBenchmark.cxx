@@ -232,8 +232,8 @@ RankRun measureRank(Exchange& exchange, const RankPiece& piece, const RankSource
   Stopwatch watch;
   const MeshPartition part(piece.points, piece.triangles, piece.keys, exchange);
   const ReplicatedPatch patch(part, facesAt(part, piece, source));
-  const SourceWindows windows = sourceWindowsOfPartition(
-    part, patch, makeSourceWindows(patch.mesh(), curvesOn(part, patch, piece, source)));
+  const SourceWindows windows =
+    makeSourceWindows(part, patch, curvesOn(part, patch, piece, source));
   run.buildSeconds = watch.lap();
   beforeFront();
   FrontOptions options;

@@ -93,7 +93,7 @@ FieldOnRanks fieldOnRanks(const CutMesh& cut, const Scene& scene)
 {
   FieldOnRanks result;
   result.distances.assign(cut.mesh.points.size(), geodesic::Infinity);
-  std::vector<bool> isKnown(cut.mesh.points.size(), false);
+  std::map<geodesic::Id, double> atVertex;
   std::mutex mutex;
   onRanks(cut, scene.curves, scene.disorder,
     [&](const RankOfRun& rank)
@@ -104,11 +104,15 @@ FieldOnRanks fieldOnRanks(const CutMesh& cut, const Scene& scene)
       const std::lock_guard<std::mutex> lock(mutex);
       for (std::size_t i = 0; i < rank.wholeVertices.size(); ++i)
       {
-        const Index vertex = rank.wholeVertices[i];
-        EXPECT_TRUE(!isKnown[vertex] || result.distances[vertex] == front.vertexDistances[i])
-          << "ranks differ at vertex " << vertex;
-        result.distances[vertex] = front.vertexDistances[i];
-        isKnown[vertex] = true;
+        result.distances[rank.wholeVertices[i]] = front.vertexDistances[i];
+      }
+      // Also at the halo's vertices, which other ranks own.
+      for (std::size_t vertex = 0; vertex < front.vertexDistances.size(); ++vertex)
+      {
+        const geodesic::Id number = rank.part.globalId(static_cast<geodesic::Id>(vertex));
+        const double distance = front.vertexDistances[vertex];
+        EXPECT_EQ(atVertex.emplace(number, distance).first->second, distance)
+          << "ranks differ at vertex " << number;
       }
       result.relativeErrorBound = front.relativeErrorBound;
       result.windowsPropagated = front.windowsPropagated;

@@ -169,8 +169,7 @@ void onRanks(const CutMesh& cut, const std::vector<Polyline>& curves, std::uint6
       const geodesic::ReplicatedPatch patch(part, selected);
       const std::vector<geodesic::SourceCurve> curvesOnPatch =
         engineCurves(patch.mesh(), onPatch(curves, patch, faces));
-      const geodesic::SourceWindows sources =
-        sourceWindowsOfPartition(part, patch, makeSourceWindows(patch.mesh(), curvesOnPatch));
+      const geodesic::SourceWindows sources = makeSourceWindows(part, patch, curvesOnPatch);
       work({ exchange, part, piece.wholeVertices, piece.wholeFaces, faces, patch, curvesOnPatch,
         sources });
     });

@@ -12,13 +12,6 @@ namespace geodesic
 namespace
 {
 
-SourceWindows windowsFrom(
-  const MeshPartition& part, const ReplicatedPatch& patch, const SurfacePoint& point)
-{
-  return sourceWindowsOfPartition(
-    part, patch, makeSourceWindows(patch.mesh(), { pointCurve(point) }));
-}
-
 /// A point of the patch as one of this rank's part: none where other ranks own its faces.
 std::vector<SurfacePoint> ownPlaceOf(
   const MeshPartition& part, const ReplicatedPatch& patch, const SurfacePoint& point)
@@ -58,7 +51,8 @@ Corridor corridorTo(const MeshPartition& part, const ReplicatedPatch& patch,
   RetentionAround search(mesh, ownPlaceOf(part, patch, start));
   Corridor corridor;
   corridor.lowerBounds =
-    propagate(part, windowsFrom(part, patch, goal), options, search).vertexDistances;
+    propagate(part, makeSourceWindows(part, patch, { pointCurve(goal) }), options, search)
+      .vertexDistances;
   const double searchedTo = part.exchange().largestOf(search.neededDistance());
   corridor.length = searchedTo / (1.0 - tolerance::CorridorSearch);
   if (within != nullptr)
@@ -91,7 +85,8 @@ std::vector<Id> facesInCorridor(const MeshPartition& part, const ReplicatedPatch
   options.job = job;
   KeepFaces passed(mesh);
   const std::vector<double> fromStart =
-    propagate(part, windowsFrom(part, patch, start), options, passed).vertexDistances;
+    propagate(part, makeSourceWindows(part, patch, { pointCurve(start) }), options, passed)
+      .vertexDistances;
   const WindowArchive windows = passed.release().windows;
   const auto isPassed = [&](Id halfedge)
   {

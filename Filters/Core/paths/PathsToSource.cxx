@@ -135,10 +135,8 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
   frontOptions.keepArrivals = true;
   frontOptions.keepAngles = true;
   frontOptions.job = job.part(0.0, FrontDone);
-  FrontResult front = propagate(part,
-    sourceWindowsOfPartition(
-      part, patch, makeSourceWindows(patch.mesh(), curves, frontOptions.job)),
-    frontOptions, retention);
+  FrontResult front = propagate(
+    part, makeSourceWindows(part, patch, curves, frontOptions.job), frontOptions, retention);
   const DistanceField field(part, std::move(front), retention.release());
 
   PathFinder paths(field, patch, curves, targets, job, take);

@@ -79,25 +79,13 @@ public:
 private:
   const CurveChains& chains() const { return this->curves_.chains(); }
 
-  /// Reports the number of finished points every so many steps, even within a point.
-  ///
-  /// \throws Aborted
-  void step()
-  {
-    constexpr std::size_t stepsPerReport = 4096;
-    if (++this->steps_ % stepsPerReport == 0)
-    {
-      this->job_.reach(0.0);
-    }
-  }
-
   void addSegments(Id chain)
   {
     const std::vector<double>& parameters = this->chains().parameters(chain);
     for (const SourceInFace& segment :
       segmentsInFaces(this->mesh_, this->chains().curves()[chain], chain, parameters))
     {
-      this->step();
+      this->job_.look();
       this->result_.inFaces.push_back(segment);
       addSegmentWindows(this->mesh_, segment, this->result_.windows);
     }
@@ -120,7 +108,7 @@ private:
       }
       if (straight || this->curves_.vertexAtPlaceOf(at) != nullptr)
       {
-        this->step();
+        this->job_.look();
       }
       else
       {
@@ -145,7 +133,7 @@ private:
   /// \param ends of the segments that bound the point's wedge.
   void emitFromPoint(const CurveChains::Point& at, const std::vector<SegmentEnd>& ends)
   {
-    this->step();
+    this->job_.look();
     const PointOfSource place = this->curves_.placeOf(at);
     const CurveWedge wedge = wedgeAround(this->mesh_, place.point, ends);
     const FanAround fan(this->mesh_, place);
@@ -153,7 +141,7 @@ private:
     forEachFace(this->mesh_, place.point,
       [&](Id face)
       {
-        this->step();
+        this->job_.look();
         const Barycentric b = barycentric(this->mesh_, place.point, face);
         const SourceInFace source = { face, b, b, place.curve, place.parameter, place.parameter };
         if (place.point.kind != SurfacePoint::Kind::Vertex)
@@ -175,7 +163,7 @@ private:
       const double parameter = this->chains().parameters(at.chain)[at.begin];
       for (const Id face : this->given_[c].coveredFaces)
       {
-        this->step();
+        this->job_.look();
         isCovered[face] = 1;
         this->result_.inFaces.push_back(
           { face, cornerWeights(0), cornerWeights(0), at.chain, parameter, parameter, true });
@@ -225,7 +213,6 @@ private:
   const std::vector<SourceCurve>& given_;
   const CurvesOnPatch curves_;
   const Job& job_;
-  std::size_t steps_ = 0;
   SourceWindows result_;
 };
 
@@ -292,9 +279,10 @@ SourceWindows makeSourceWindows(
   return SourceWindowsMaker(mesh, curves, job).make();
 }
 
-SourceWindows sourceWindowsOfPartition(
-  const MeshPartition& part, const ReplicatedPatch& patch, const SourceWindows& onPatch)
+SourceWindows makeSourceWindows(const MeshPartition& part, const ReplicatedPatch& patch,
+  const std::vector<SourceCurve>& curves, const Job& job)
 {
+  const SourceWindows onPatch = makeSourceWindows(patch.mesh(), curves, job);
   SourceWindows result;
   result.windows = windowsOfPart(patch, onPatch.windows,
     [&](Id halfedge) { return part.isOwn(TriangleMesh::faceOf(halfedge)); });

@@ -53,13 +53,13 @@ struct SourceWindows
 SourceWindows makeSourceWindows(
   const TriangleMesh& mesh, const std::vector<SourceCurve>& curves, const Job& job = {});
 
-/// This rank's share of the sources on a replicated patch: the windows that leave this rank's own
-/// faces, the sources in own faces and in the halo, and the vertices of the partition. In one
-/// process that is all.
+/// This rank's share of the same for curves on a replicated patch: the windows that leave this
+/// rank's own faces, the sources in own faces and in the halo, and the vertices of the partition.
+/// In one process that is all.
 ///
-/// \param onPatch from curves whose points lie in faces for which the patch was made.
-SourceWindows sourceWindowsOfPartition(
-  const MeshPartition& part, const ReplicatedPatch& patch, const SourceWindows& onPatch);
+/// \param curves whose points lie in faces for which the patch was made.
+SourceWindows makeSourceWindows(const MeshPartition& part, const ReplicatedPatch& patch,
+  const std::vector<SourceCurve>& curves, const Job& job = {});
 
 /// A point of the halfedge's face in that frame, which is the halfedge's own frame rotated by pi
 /// about the middle of the halfedge.

@@ -273,8 +273,8 @@ std::vector<double> distancesOnRanks(const CutMesh& cut, const RandomSource& sou
         const auto [piece, keyOfPoint] = cleanedPiece(cut, exchange);
         const geodesic::MeshPartition part(piece.points, piece.triangles, piece.keys, exchange);
         const geodesic::ReplicatedPatch patch(part, ownFacesOf(part));
-        const geodesic::SourceWindows sources = sourceWindowsOfPartition(
-          part, patch, makeSourceWindows(patch.mesh(), source.curvesOn(patch.mesh())));
+        const geodesic::SourceWindows sources =
+          makeSourceWindows(part, patch, source.curvesOn(patch.mesh()));
         geodesic::KeepNone none;
         const std::vector<double> found = propagate(part, sources, {}, none).vertexDistances;
         const std::lock_guard<std::mutex> lock(mutex);
