@@ -210,8 +210,8 @@ struct InputReader
     faces.addFacesAround(source.located);
     if (isDistributed && !source.faces.empty())
     {
-      for (const CoveredFace& covered : findCoveredFaces(
-             surface.mesh(), source.faces, source.precision, true, locating.part(1.0, 1.0)))
+      for (const CoveredFace& covered :
+        findCoveredFaces(surface, source.faces, source.precision, locating.part(1.0, 1.0)).own)
       {
         faces.addFacesAround(covered.face);
       }
@@ -262,10 +262,12 @@ struct InputReader
     {
       first.emplace(on.curves[i].source, i);
     }
+    const MeshPartition surface(mesh);
     for (const CoveredFace& covered :
-      findCoveredFaces(mesh, source.faces, source.precision, false, job.part(1.0, 1.0)))
+      findCoveredFaces(surface, source.faces, source.precision, job.part(1.0, 1.0)).own)
     {
-      on.curves[first.at(covered.source)].coveredFaces.push_back(covered.face);
+      const Id part = source.faces[covered.by].source;
+      on.curves[first.at(part)].coveredFaces.push_back(covered.face);
     }
     return on;
   }

@@ -168,6 +168,17 @@ void CheckRegionsWithoutNames(Check& check)
     "the id of a region is that of its first face");
 }
 
+/// A sheet that lies on a face of the region is no part of it.
+void CheckRegionUnderASheet(Check& check)
+{
+  const auto surface = Mesh({ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 4, 4, 0 }, { 1, 1, 0 },
+                              { 2, 1, 0 }, { 1, 2, 0 }, { 2, 2, 1 } },
+    { { 0, 1, 2 }, { 1, 3, 2 }, { 4, 5, 6 }, { 5, 7, 6 } });
+  const Region region{ surface, { true, false, false, false } };
+  CheckRegion(check, region, "a region under a sheet");
+  CheckOtherFilters(check, region, "a region under a sheet");
+}
+
 }
 
 int TestGeodesicRegions(int, char*[])
@@ -190,5 +201,6 @@ int TestGeodesicRegions(int, char*[])
   CheckWhole(check, Tetrahedron(), 0.0, "all of a tetrahedron");
   CheckWhole(check, Soup(Square(4)), 4.0, "all of a soup");
   CheckRegionsWithoutNames(check);
+  CheckRegionUnderASheet(check);
   return check.Result();
 }

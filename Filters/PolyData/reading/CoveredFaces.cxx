@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 namespace geodesic
 {
@@ -44,6 +45,36 @@ struct FaceTriangles
     this->first.push_back(this->triangles.size());
   }
 };
+
+/// The area of a surface's faces in a source's face: of all, and of the largest.
+struct AreaInside
+{
+  double all = 0.0;
+  double largest = 0.0;
+
+  void add(const AreaInside& other)
+  {
+    this->all += other.all;
+    this->largest = std::max(this->largest, other.largest);
+  }
+};
+
+/// What all ranks, which call this together, have in each face.
+std::vector<AreaInside> areasOfRanks(const std::vector<AreaInside>& own, Exchange& exchange)
+{
+  Message message;
+  put(message, own.data(), own.size());
+  std::vector<AreaInside> areas(own.size());
+  for (const Message& ofRank : exchange.tellAll(message))
+  {
+    MessageReader reader(ofRank);
+    for (AreaInside& area : areas)
+    {
+      area.add(reader.get<AreaInside>());
+    }
+  }
+  return areas;
+}
 
 Vec3 middleOf(const TriangleMesh& mesh, Id face)
 {
@@ -122,50 +153,53 @@ std::vector<LocatedPolyline> pointsInside(const std::vector<LocatedPolyline>& fa
   return inside;
 }
 
-std::vector<CoveredFace> findCoveredFaces(const TriangleMesh& surface,
-  const std::vector<LocatedPolyline>& faces, double coordinatePrecision, bool isPart,
-  const Job& job)
+CoveredFaces findCoveredFaces(const MeshPartition& surface,
+  const std::vector<LocatedPolyline>& faces, double coordinatePrecision, const Job& job)
 {
   const FaceTriangles source(faces);
+  CoveredFaces covered;
   if (source.triangles.empty())
   {
-    return {};
+    return covered;
   }
+  const TriangleMesh& onto = surface.mesh();
   std::vector<Vec3> middles;
   std::vector<std::uint8_t> isWanted;
-  for (Id face = 0; face < surface.numberOfFaces(); ++face)
+  for (Id face = surface.firstOwnFace(); face < surface.endOfOwnFaces(); ++face)
   {
-    middles.push_back(middleOf(surface, face));
-    isWanted.push_back(source.box.distanceTo(middles.back()) <= surface.shape(face).longest());
+    middles.push_back(middleOf(onto, face));
+    isWanted.push_back(source.box.distanceTo(middles.back()) <= onto.shape(face).longest());
   }
   const TriangleMesh mesh(source.points, source.triangles);
-  const CoverTest test = { surface, source, mesh, coordinatePrecision };
+  const CoverTest test = { onto, source, mesh, coordinatePrecision };
   const ClosestFaces closest =
     SurfaceLocator(MeshPartition(mesh)).closest(middles, isWanted, coordinatePrecision, job);
   std::vector<CoveredFace> inside;
-  std::vector<double> areas(faces.size(), 0.0);
-  for (Id face = 0; face < surface.numberOfFaces(); ++face)
+  std::vector<AreaInside> areas(faces.size());
+  for (Id face = surface.firstOwnFace(); face < surface.endOfOwnFaces(); ++face)
   {
-    for (const ClosestFace& found : closest[face])
+    for (const ClosestFace& found : closest[face - surface.firstOwnFace()])
     {
       const std::size_t by = source.faces[mesh.inputFace(found.face.id)];
-      const bool isKnown = !inside.empty() && inside.back().face == face &&
-        inside.back().source == static_cast<Id>(by);
+      const bool isKnown = !inside.empty() && inside.back().face == face && inside.back().by == by;
       if (!isKnown && test.isCovered(face, by))
       {
-        inside.push_back({ face, static_cast<Id>(by) });
-        areas[by] += surface.shape(face).area2;
+        inside.push_back({ face, by });
+        areas[by].add({ onto.shape(face).area2, onto.shape(face).area2 });
       }
     }
   }
-  std::vector<CoveredFace> covered;
-  for (const CoveredFace& found : inside)
+  areas = areasOfRanks(areas, surface.exchange());
+  std::vector<double> least; // a face that is one of the surface's has no others that lie on it
+  for (std::size_t by = 0; by < faces.size(); ++by)
   {
-    if (isPart || areas[found.source] >= (1.0 - tolerance::CoveredArea) * test.area2(found.source))
-    {
-      covered.push_back({ found.face, faces[found.source].source });
-    }
+    const double area2 = (1.0 - tolerance::CoveredArea) * test.area2(by);
+    covered.isOnSurface.push_back(areas[by].all >= area2);
+    least.push_back(areas[by].largest >= area2 ? area2 : 0.0);
   }
+  std::copy_if(inside.begin(), inside.end(), std::back_inserter(covered.own),
+    [&](const CoveredFace& found)
+    { return covered.isOnSurface[found.by] && onto.shape(found.face).area2 >= least[found.by]; });
   return covered;
 }
 

@@ -3,7 +3,7 @@
 #define geodesic_CoveredFaces_h
 
 #include "Job.h"
-#include "mesh/TriangleMesh.h"
+#include "mesh/MeshPartition.h"
 #include "source/PolylineOnSurface.h"
 
 #include <vector>
@@ -18,21 +18,27 @@ std::vector<LocatedPolyline> pointsInside(const std::vector<LocatedPolyline>& fa
 struct CoveredFace
 {
   Id face;
-  /// LocatedPolyline::source of the source's face.
-  Id source;
+  /// The source's face that it lies in, by number.
+  std::size_t by;
+};
+
+/// The faces of a surface that faces of a source consist of.
+struct CoveredFaces
+{
+  /// Those that this rank owns, ascending by face; a face may belong to several sources.
+  std::vector<CoveredFace> own;
+  /// For each face of the source whether it consists of faces of the surface. The same on all
+  /// ranks.
+  std::vector<bool> isOnSurface;
 };
 
 /// Finds the faces of a surface that a source's face covers. The source's face consists of them
 /// within the precision of coordinates: it is one of them, or was cut into them. A source's face
-/// that also lies in parts of other faces covers none.
+/// that also lies in parts of other faces covers none. All ranks call this together.
 ///
-/// \param isPart whether others have more of the surface: faces that lie in a source's face are
-///        then found, whether or not it consists of them.
-/// \returns ascending by face; a face may belong to several sources.
 /// \throws Aborted
-std::vector<CoveredFace> findCoveredFaces(const TriangleMesh& surface,
-  const std::vector<LocatedPolyline>& faces, double coordinatePrecision, bool isPart,
-  const Job& job);
+CoveredFaces findCoveredFaces(const MeshPartition& surface,
+  const std::vector<LocatedPolyline>& faces, double coordinatePrecision, const Job& job);
 
 }
 

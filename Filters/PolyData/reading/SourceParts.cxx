@@ -53,6 +53,33 @@ std::vector<vtkIdType> numbersLeft(const SourceCells& cells)
   return numbers;
 }
 
+/// Whether each face of a source lies in barriers. A face that the surface has is what it is there;
+/// any other is what is closest to a point inside of it. All ranks call this together.
+std::vector<bool> areInBarriers(const PartsRequest& from, const Job& job, const SourceCells& cells)
+{
+  constexpr double located = 0.5;
+  const std::vector<LocatedPolyline> inside = pointsInside(cells.faces);
+  const LocatedPlaces places = from.locator.locate(inside, cells.precision, job.part(0.0, located));
+  // Thin faces, too, lie in one or in the other: no rim.
+  const std::vector<RankAddress> barriers =
+    from.surface.barriers->barriersAt(places.places, places.faces, cells.precision, 0.0);
+  const auto haveFaces = [&](const MeshPartition& surface, const Job& part)
+  { return findCoveredFaces(surface, cells.faces, cells.precision, part).isOnSurface; };
+  std::vector<bool> isIn = haveFaces(from.surface.barriers->surface(), job.part(located, 1.0));
+  // An open face of another sheet may go through a barrier's middle.
+  std::vector<bool> isOpen;
+  for (std::size_t i = 0; i < inside.size(); ++i)
+  {
+    const bool isClosest = barriers[places.indexOf(inside[i].points.front())].id != NoId;
+    if (isIn[i] && !isClosest && isOpen.empty())
+    {
+      isOpen = haveFaces(from.surface.partition, job.part(1.0, 1.0));
+    }
+    isIn[i] = isClosest || (isIn[i] && !isOpen[i]);
+  }
+  return isIn;
+}
+
 /// Leaves out faces that lie in barriers, which are no faces of the surface. All ranks call this
 /// together.
 ///
@@ -64,15 +91,11 @@ void leaveOutFacesInBarriers(
   {
     return;
   }
-  const std::vector<LocatedPolyline> inside = pointsInside(cells.faces);
-  const LocatedPlaces located = from.locator.locate(inside, cells.precision, job);
-  // Thin faces, too, lie in one or in the other: no rim.
-  const std::vector<RankAddress> barriers =
-    from.surface.barriers->barriersAt(located.places, located.faces, cells.precision, 0.0);
+  const std::vector<bool> isIn = areInBarriers(from, job, cells);
   std::size_t left = 0;
-  for (std::size_t i = 0; i < inside.size(); ++i)
+  for (std::size_t i = 0; i < isIn.size(); ++i)
   {
-    if (barriers[located.indexOf(inside[i].points.front())].id == NoId)
+    if (!isIn[i])
     {
       std::swap(cells.faces[left], cells.faces[i]);
       std::swap(parts[left], parts[i]);
