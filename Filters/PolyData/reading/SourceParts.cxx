@@ -57,25 +57,22 @@ std::vector<vtkIdType> numbersLeft(const SourceCells& cells)
 /// any other is what is closest to a point inside of it. All ranks call this together.
 std::vector<bool> areInBarriers(const PartsRequest& from, const Job& job, const SourceCells& cells)
 {
-  constexpr double located = 0.5;
+  const Job searched = job.part(1.0, 1.0);
   const std::vector<LocatedPolyline> inside = pointsInside(cells.faces);
-  const LocatedPlaces places = from.locator.locate(inside, cells.precision, job.part(0.0, located));
+  const LocatedPlaces places = from.locator.locate(inside, cells.precision, job);
   // Thin faces, too, lie in one or in the other: no rim.
   const std::vector<RankAddress> barriers =
     from.surface.barriers->barriersAt(places.places, places.faces, cells.precision, 0.0);
-  const auto haveFaces = [&](const MeshPartition& surface, const Job& part)
-  { return findCoveredFaces(surface, cells.faces, cells.precision, part).isOnSurface; };
-  std::vector<bool> isIn = haveFaces(from.surface.barriers->surface(), job.part(located, 1.0));
-  // An open face of another sheet may go through a barrier's middle.
-  std::vector<bool> isOpen;
+  const auto haveFaces = [&](const MeshPartition& surface)
+  { return findCoveredFaces(surface, cells.faces, cells.precision, searched).isOnSurface; };
+  const std::vector<bool> isBarrier = haveFaces(from.surface.barriers->surface());
+  const std::vector<bool> isOpen = haveFaces(from.surface.partition);
+  std::vector<bool> isIn;
   for (std::size_t i = 0; i < inside.size(); ++i)
   {
+    // An open face of another sheet may go through a barrier's middle.
     const bool isClosest = barriers[places.indexOf(inside[i].points.front())].id != NoId;
-    if (isIn[i] && !isClosest && isOpen.empty())
-    {
-      isOpen = haveFaces(from.surface.partition, job.part(1.0, 1.0));
-    }
-    isIn[i] = isClosest || (isIn[i] && !isOpen[i]);
+    isIn.push_back(isClosest || (isBarrier[i] && !isOpen[i]));
   }
   return isIn;
 }
