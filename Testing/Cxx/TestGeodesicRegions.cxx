@@ -12,6 +12,9 @@
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <cmath>
+#include <limits>
+
 using namespace GeodesicTesting;
 
 namespace
@@ -179,6 +182,25 @@ void CheckRegionUnderASheet(Check& check)
   CheckOtherFilters(check, region, "a region under a sheet");
 }
 
+/// A face of the region that is a barrier is left out, also where an open sheet lies on its middle.
+void CheckBarrierUnderASheet(Check& check)
+{
+  const auto surface = Mesh({ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 4, 4, 0 }, { -4, 0, 0 },
+                              { 1, 1, 0 }, { 2, 1, 0 }, { 1, 2, 0 } },
+    { { 0, 1, 2 }, { 1, 3, 2 }, { 0, 2, 4 }, { 5, 6, 7 } });
+  AddArrayOf<vtkIntArray>(
+    surface->GetCellData(), "barrier", 4, [](vtkIdType cell) { return cell == 0 ? 1 : 0; });
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
+  filter->SetBarrierArrayName("barrier");
+  filter->SetInputData(surface);
+  filter->SetSourceData(SourceOf({ surface, { true, true, false, false } }));
+  filter->Update();
+  const double inf = std::numeric_limits<double>::infinity();
+  CompareWithTruth(check, filter, { 4, 0, 0, 0, std::sqrt(32.0), inf, inf, inf },
+    "a barrier in the region under a sheet");
+}
+
 }
 
 int TestGeodesicRegions(int, char*[])
@@ -202,5 +224,6 @@ int TestGeodesicRegions(int, char*[])
   CheckWhole(check, Soup(Square(4)), 4.0, "all of a soup");
   CheckRegionsWithoutNames(check);
   CheckRegionUnderASheet(check);
+  CheckBarrierUnderASheet(check);
   return check.Result();
 }
