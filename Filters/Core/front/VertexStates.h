@@ -136,10 +136,9 @@ public:
     }
     const auto isTie = [&, isBound = isShorter && this->isBoundOnly(update)](double tie)
     { return distance >= state.distance * (1.0 - tie) || isBound; };
-    const auto isSurelyShorter = [&]
-    { return !isTie(this->isStraight(update) ? tolerance::Evaluation : tolerance::Tie); };
     if (!this->arrivals_.empty() &&
-      ((isShorter && isSurelyShorter()) || this->isBetterArrival(update, distance)))
+      ((isShorter && !isTie(this->isStraight(update) ? tolerance::Evaluation : tolerance::Tie)) ||
+        this->isBetterArrival(update, distance)))
     {
       this->arrivals_[update.vertex] = update.from;
     }

@@ -62,16 +62,11 @@ struct AreaInside
 /// What all ranks, which call this together, have in each face.
 std::vector<AreaInside> areasOfRanks(const std::vector<AreaInside>& own, Exchange& exchange)
 {
-  Message message;
-  put(message, own.data(), own.size());
+  const std::vector<AreaInside> ofRanks = valuesOfRanks(exchange, own);
   std::vector<AreaInside> areas(own.size());
-  for (const Message& ofRank : exchange.tellAll(message))
+  for (std::size_t i = 0; i < ofRanks.size(); ++i)
   {
-    MessageReader reader(ofRank);
-    for (AreaInside& area : areas)
-    {
-      area.add(reader.get<AreaInside>());
-    }
+    areas[i % own.size()].add(ofRanks[i]);
   }
   return areas;
 }
@@ -157,7 +152,7 @@ CoveredFaces findCoveredFaces(const MeshPartition& surface,
   const std::vector<LocatedPolyline>& faces, double coordinatePrecision, const Job& job)
 {
   const FaceTriangles source(faces);
-  CoveredFaces covered;
+  CoveredFaces covered{ {}, std::vector<bool>(faces.size(), false) };
   if (source.triangles.empty())
   {
     return covered;
@@ -194,7 +189,7 @@ CoveredFaces findCoveredFaces(const MeshPartition& surface,
   for (std::size_t by = 0; by < faces.size(); ++by)
   {
     const double area2 = (1.0 - tolerance::CoveredArea) * test.area2(by);
-    covered.isOnSurface.push_back(areas[by].all >= area2);
+    covered.isOnSurface[by] = areas[by].all >= area2;
     least.push_back(areas[by].largest >= area2 ? area2 : 0.0);
   }
   std::copy_if(inside.begin(), inside.end(), std::back_inserter(covered.own),
