@@ -72,7 +72,7 @@ bool FaceRefiner::OpenPart::operator<(const OpenPart& other) const
 }
 
 bool FaceRefiner::refine(FaceTriangles& face, std::uint64_t mostParts, RegionsOfPoints* regions,
-  std::vector<SplitRequest>& requests)
+  std::vector<EdgeSplit>& requests)
 {
   this->regions_ = regions;
   this->requests_ = &requests;
