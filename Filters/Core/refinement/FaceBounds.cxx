@@ -105,17 +105,6 @@ double roundingOf(const std::array<double, 3>& d)
   return tolerance::FaceRounding * std::max({ d[0], d[1], d[2] });
 }
 
-// How far the distance through windows of one halfedge can be below the interpolant, anywhere in
-// the face.
-double belowThroughHalfedge(
-  const TriangleMesh& mesh, Id halfedge, const std::array<double, 3>& d, const WindowRuns& windows)
-{
-  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
-  const std::size_t k = TriangleMesh::indexInFace(halfedge);
-  const LineOnSegment line(shape.length[k], d[k], d[(k + 1) % 3]);
-  return belowOfHalfedge(line, windows) + slackOf(shape, d).below;
-}
-
 } // anonymous namespace
 
 FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
@@ -351,12 +340,17 @@ LinearFaceTest testLinear(const TriangleMesh& mesh, Id face, const std::array<do
   return result;
 }
 
+// Through windows of one halfedge the distance can be below the interpolant by so much, anywhere in
+// the face.
 double boundWithLate(
   const TriangleMesh& mesh, const PassedList& late, float above, const std::array<double, 3>& d)
 {
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(late.halfedge));
+  const std::size_t k = TriangleMesh::indexInFace(late.halfedge);
+  const LineOnSegment line(shape.length[k], d[k], d[(k + 1) % 3]);
   const WindowRange windows = late.windows.range();
   return static_cast<double>(above) + roundingOf(d) +
-    belowThroughHalfedge(mesh, late.halfedge, d, { &windows, &windows + 1 });
+    (belowOfHalfedge(line, { &windows, &windows + 1 }) + slackOf(shape, d).below);
 }
 
 }

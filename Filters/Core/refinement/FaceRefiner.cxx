@@ -148,8 +148,9 @@ void FaceRefiner::assess(Id part)
 void FaceRefiner::assessAtBorder(Id part)
 {
   const FaceTriangles::Part& p = this->face_->parts()[part];
-  const double length =
-    p.hasPassed && this->regions_ ? this->regions_->lengthAtBorder(*this->face_, p.corners) : 0.0;
+  const double length = p.hasPassed && this->regions_
+    ? this->regions_->lengthAtBorder(this->face_->face(), p.corners)
+    : 0.0;
   if (length > 0.0)
   {
     this->open_.push({ SplitReason::Border, length, part, p.version, Infinity });

@@ -9,40 +9,31 @@
 namespace geodesic
 {
 
-double RegionsOfPoints::lengthAtBorder(const FaceTriangles& face, const Triangle& c)
+RegionsOfPoints::Corner RegionsOfPoints::cornerOf(Id face, Id point)
 {
-  std::array<Corner, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const FaceTriangles::Point& point = face.points()[c[k]];
-    const bool isInside = point.number == NoId;
-    const std::uint64_t key =
-      isInside ? (static_cast<std::uint64_t>(face.face()) + 1) << 32 | c[k] : point.number;
-    corners[k] = { this->regionAt(
-                     key, isInside ? face.placeOf(c[k]) : this->faces_.edges.placeOf(point.number)),
-      point.distance, point.place };
-  }
-  return this->lengthAtBorder(corners);
-}
-
-double RegionsOfPoints::lengthAtBorder(Id face, const Triangle& c)
-{
-  const TriangleMesh& mesh = this->faces_.field.mesh();
   const CutEdges& edges = this->faces_.edges;
-  const Id frame = longestHalfedge(mesh, face);
-  std::array<Corner, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k)
+  const FaceTriangles* open = this->faces_.isOpen(face) ? &this->faces_.triangles(face) : nullptr;
+  const Id number = open ? open->points()[point].number : point;
+  const bool isInside = number == NoId;
+  const SurfacePoint place = isInside ? open->placeOf(point) : edges.placeOf(number);
+  const auto [found, isNew] = this->known_.try_emplace(
+    isInside ? (static_cast<std::uint64_t>(face) + 1) << 32 | point : number);
+  if (isNew)
   {
-    const SurfacePoint place = edges.placeOf(c[k]);
-    corners[k] = { this->regionAt(c[k], place),
-      edges.distanceOf(c[k], this->faces_.field.vertexDistances()),
-      inHalfedgeFrame(mesh, frame, place) };
+    found->second = this->regions_.at(place);
   }
-  return this->lengthAtBorder(corners);
+  const TriangleMesh& mesh = this->faces_.field.mesh();
+  return { found->second,
+    open ? open->points()[point].distance
+         : edges.distanceOf(number, this->faces_.field.vertexDistances()),
+    open ? open->points()[point].place
+         : inHalfedgeFrame(mesh, longestHalfedge(mesh, face), place) };
 }
 
-double RegionsOfPoints::lengthAtBorder(const std::array<Corner, 3>& c) const
+double RegionsOfPoints::lengthAtBorder(Id face, const Triangle& corners)
 {
+  const std::array<Corner, 3> c = { this->cornerOf(face, corners[0]),
+    this->cornerOf(face, corners[1]), this->cornerOf(face, corners[2]) };
   const auto isBorderBetween = [](const Corner& a, const Corner& b)
   {
     // Where a straight line crosses the curve between its sides, there is no border. Both ends are
@@ -57,16 +48,6 @@ double RegionsOfPoints::lengthAtBorder(const std::array<Corner, 3>& c) const
   }
   const double longest = longestEdge({ c[0].place, c[1].place, c[2].place });
   return longest > this->tolerance_ ? longest : 0.0;
-}
-
-SourceRegion RegionsOfPoints::regionAt(std::uint64_t key, const SurfacePoint& place)
-{
-  const auto [found, isNew] = this->known_.try_emplace(key);
-  if (isNew)
-  {
-    found->second = this->regions_.at(place);
-  }
-  return found->second;
 }
 
 }
