@@ -28,8 +28,7 @@ struct PointOnEdge
   bool isForShape;
 };
 
-/// An edge of the input under refinement. All faces around it share its points, so that no T-vertex
-/// can arise.
+/// An edge of the input under refinement, whose points all faces around it share.
 struct CutEdge
 {
   /// The one along which it runs, the same for any order of the faces: of all at the edge the one

@@ -20,9 +20,9 @@ struct EdgeCuts
   std::vector<Deviation> pieces;
 };
 
-/// Measures the distance along edges. In an exact field the first refined face at an edge suffices,
-/// as one face determines the whole distance along its edge. In an approximate field the refined
-/// faces there may differ: the largest deviation counts, and a point has the least distance.
+/// Measures the distance along edges. In an exact field the first refined face at an edge suffices.
+/// In an approximate field the refined faces there may differ: the largest deviation counts, and a
+/// point has the least distance.
 ///
 /// One object serves one edge after another and reuses its memory. Edges do not change meanwhile.
 class EdgeSplitter

@@ -14,8 +14,8 @@
 namespace geodesic
 {
 
-/// Puts points on edges, as faces have asked for them. Faces of several ranks at an edge get the
-/// same points, bit for bit: one rank that refines a face there decides for all.
+/// Puts points on edges, as faces have asked for them. Of several ranks with faces at an edge, one
+/// that refines a face there decides for all.
 class SplitsOfEdges
 {
 public:

@@ -72,38 +72,32 @@ double SurfaceRefiner::shareOfRoom() const
 // need not be sharp.
 void SurfaceRefiner::assessFaces()
 {
-  constexpr Id facesInBatch = 2 * ItemsInRange;
-  const Id first = this->surface_.firstOwnFace();
   const Id end = this->surface_.endOfOwnFaces();
-  for (Id face = first; face < end; face += std::min(facesInBatch, end - face))
+  const Id count = end - this->surface_.firstOwnFace();
+  std::vector<double> bounds;
+  for (Id left = count; left > 0; left -= std::min<Id>(left, 2 * ItemsInRange))
   {
-    this->options_.job.reach(FacesAssessed * (face - first) / (end - first));
-    this->assessFaces(face, face + std::min(facesInBatch, end - face));
-  }
-}
-
-void SurfaceRefiner::assessFaces(Id first, Id end)
-{
-  std::vector<double> bounds(end - first, 0.0);
-  this->options_.job.part(0.0, 0.0).loop(bounds.size(),
-    [&](std::size_t i)
-    {
-      const Id face = first + static_cast<Id>(i);
-      if (!this->faces_.isFrozen(face))
+    this->options_.job.reach(FacesAssessed * (count - left) / count);
+    bounds.assign(std::min<Id>(left, 2 * ItemsInRange), 0.0);
+    this->options_.job.part(0.0, 0.0).loop(bounds.size(),
+      [&](std::size_t i)
       {
-        bounds[i] = quickBoundOfFace(this->faces_.field, face, this->tolerance_, this->bound_);
+        const Id face = end - left + static_cast<Id>(i);
+        if (!this->faces_.isFrozen(face))
+        {
+          bounds[i] = quickBoundOfFace(this->faces_.field, face, this->tolerance_, this->bound_);
+        }
+      });
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+    {
+      if (bounds[i] == Infinity)
+      {
+        this->due_.push_back(end - left + static_cast<Id>(i));
       }
-    });
-  for (Id face = first; face < end; ++face)
-  {
-    const double bound = bounds[face - first];
-    if (bound == Infinity)
-    {
-      this->due_.push_back(face);
-    }
-    else
-    {
-      this->bound_ = std::max(this->bound_, bound);
+      else
+      {
+        this->bound_ = std::max(this->bound_, bounds[i]);
+      }
     }
   }
 }

@@ -36,7 +36,6 @@ public:
 
 private:
   void assessFaces();
-  void assessFaces(Id first, Id end);
   void findBorders();
   bool refineFaces(RegionsOfPoints* regions);
   void openDue();
