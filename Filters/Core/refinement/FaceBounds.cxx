@@ -178,43 +178,6 @@ namespace
 // the band's half width.
 constexpr double BandGap = 0.25;
 
-/// A line along a halfedge, and the half width of the band around it.
-struct Band
-{
-  LineOnSegment line;
-  double limit;
-
-  double high(double x) const { return this->line.atBegin + this->limit + this->line.slope * x; }
-  double low(double x) const { return this->line.atBegin - this->limit + this->line.slope * x; }
-};
-
-// A window is convex, so it is highest over the line at an end.
-bool isUnder(const Window& w, const Band& band)
-{
-  const double overBegin = band.high(w.begin) - w.sigma;
-  const double overEnd = band.high(w.end) - w.sigma;
-  if (w.isLinear())
-  {
-    return w.sourceX * w.begin <= overBegin && w.sourceX * w.end <= overEnd;
-  }
-  const double b = w.begin - w.sourceX;
-  const double e = w.end - w.sourceX;
-  const double h2 = w.sourceDepth * w.sourceDepth;
-  return std::min(overBegin, overEnd) >= 0.0 && b * b + h2 <= overBegin * overBegin &&
-    e * e + h2 <= overEnd * overEnd;
-}
-
-// A circular window is above its tangent with the line's slope, which suffices in most cases.
-bool isOver(const Window& w, const Band& band)
-{
-  if (!w.isLinear() && w.sigma + w.sourceDepth * band.line.sine >= band.low(w.sourceX))
-  {
-    return true;
-  }
-  const double x = band.line.lowestOf(w);
-  return w.distance(x) >= band.low(x);
-}
-
 // Half the width of the band, as a fraction of the tolerance. If the distance on the halfedges
 // stays in this band around the interpolant, the face is linear without another look at its
 // windows. The half width counts twice, above and below, and the gradient in the face adds to both.
@@ -225,24 +188,27 @@ constexpr double BandOfTolerance = 0.25;
 MeasuredList measuredList(const TriangleMesh& mesh, const PassedList& list, double tolerance)
 {
   const double length = mesh.length(list.halfedge);
-  const Band band = { LineOnSegment(length, list.ends[0], list.ends[1]),
-    BandOfTolerance * tolerance };
-  const double slope = band.line.slope;
+  const LineOnSegment line(length, list.ends[0], list.ends[1]);
+  const double limit = BandOfTolerance * tolerance;
   MeasuredList measured{ list };
-  if (!((1.0 - slope) * (1.0 + slope) >= -tolerance::Tie)) // 0 along a ray
+  if (!((1.0 - line.slope) * (1.0 + line.slope) >= -tolerance::Tie)) // 0 along a ray
   {
     return measured;
   }
-  const double gap = BandGap * band.limit;
+  const double gap = BandGap * limit;
   bool isUnderAll = true;
   double covered = 0.0;
   for (const Window& w : list.windows.range())
   {
-    if (!isOver(w, band))
+    const double lowest = line.lowestOf(w);
+    if (!(line.at(lowest) - w.distance(lowest) <= limit))
     {
       return measured;
     }
-    isUnderAll = isUnderAll && w.begin <= covered + gap && isUnder(w, band);
+    // A window is convex, so it is highest over the line at an end.
+    isUnderAll = isUnderAll && w.begin <= covered + gap &&
+      w.distance(w.begin) - line.at(w.begin) <= limit &&
+      w.distance(w.end) - line.at(w.end) <= limit;
     covered = w.end;
   }
   measured.hasNoneBelow = true;

@@ -57,7 +57,7 @@ FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<doub
 double quickBoundOfFace(const DistanceField& field, Id face, double tolerance, double known);
 
 /// A passed list, and whether its windows stay in a band around the line between the distances at
-/// the ends of its halfedge. The test takes no square roots; it may fail although they do.
+/// the ends of its halfedge.
 struct MeasuredList
 {
   PassedList list;
