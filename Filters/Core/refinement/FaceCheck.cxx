@@ -177,14 +177,13 @@ FaceCheck::Inside FaceCheck::above(
 {
   const Vec2 e1 = piece.corners[1] - piece.corners[0];
   const Vec2 e2 = piece.corners[2] - piece.corners[0];
-  const Vec2 e3 = e2 - e1;
   const double area2 = cross(e1, e2);
   // A triangle whose corners lie on a line consists of its edges.
   if (!(area2 > 0.0))
   {
     return { onEdges, onEdges };
   }
-  const double longest = std::sqrt(std::max({ dot(e1, e1), dot(e2, e2), dot(e3, e3) }));
+  const double longest = longestEdge(piece.corners);
   const GradientSlack slack = slackOf({ dot(e1, e1), dot(e1, e2), dot(e2, e2), area2, longest },
     piece.values[1] - piece.values[0], piece.values[2] - piece.values[0]);
   // The distance changes by no more than the length moved to a corner, or to an edge.
@@ -242,13 +241,7 @@ FaceCheck::Inside FaceCheck::search(const LinearPiece& piece, double limit, bool
 double FaceCheck::halve(const Node& node)
 {
   const std::array<Vec2, 3>& c = node.piece.corners;
-  std::size_t k = 0;
-  for (std::size_t j = 1; j < 3; ++j)
-  {
-    const Vec2 edge = c[(j + 1) % 3] - c[j];
-    const Vec2 longest = c[(k + 1) % 3] - c[k];
-    k = dot(edge, edge) > dot(longest, longest) ? j : k;
-  }
+  const std::size_t k = longestSide(c);
   const std::size_t next = (k + 1) % 3;
   const Vec2 middle = 0.5 * (c[k] + c[next]);
   const double value = 0.5 * (node.piece.values[k] + node.piece.values[next]);

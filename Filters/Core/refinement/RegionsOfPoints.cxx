@@ -4,30 +4,36 @@
 #include "Tolerance.h"
 #include "refinement/TriangleShape.h"
 
-#include <algorithm>
-
 namespace geodesic
 {
 
-RegionsOfPoints::Corner RegionsOfPoints::cornerOf(Id face, Id point)
+SourceRegion RegionsOfPoints::regionAt(std::uint64_t key, const SurfacePoint& place)
 {
-  const CutEdges& edges = this->faces_.edges;
-  const FaceTriangles* open = this->faces_.isOpen(face) ? &this->faces_.triangles(face) : nullptr;
-  const Id number = open ? open->points()[point].number : point;
-  const bool isInside = number == NoId;
-  const SurfacePoint place = isInside ? open->placeOf(point) : edges.placeOf(number);
-  const auto [found, isNew] = this->known_.try_emplace(
-    isInside ? (static_cast<std::uint64_t>(face) + 1) << 32 | point : number);
+  const auto [found, isNew] = this->known_.try_emplace(key);
   if (isNew)
   {
     found->second = this->regions_.at(place);
   }
+  return found->second;
+}
+
+RegionsOfPoints::Corner RegionsOfPoints::cornerOf(Id face, Id point)
+{
+  const CutEdges& edges = this->faces_.edges;
+  if (this->faces_.isOpen(face))
+  {
+    const FaceTriangles& open = this->faces_.triangles(face);
+    const FaceTriangles::Point& p = open.points()[point];
+    const SourceRegion region = p.number == NoId
+      ? this->regionAt((static_cast<std::uint64_t>(face) + 1) << 32 | point, open.placeOf(point))
+      : this->regionAt(p.number, edges.placeOf(p.number));
+    return { region, p.distance, p.place };
+  }
   const TriangleMesh& mesh = this->faces_.field.mesh();
-  return { found->second,
-    open ? open->points()[point].distance
-         : edges.distanceOf(number, this->faces_.field.vertexDistances()),
-    open ? open->points()[point].place
-         : inHalfedgeFrame(mesh, longestHalfedge(mesh, face), place) };
+  const SurfacePoint place = edges.placeOf(point);
+  return { this->regionAt(point, place),
+    edges.distanceOf(point, this->faces_.field.vertexDistances()),
+    inHalfedgeFrame(mesh, longestHalfedge(mesh, face), place) };
 }
 
 double RegionsOfPoints::lengthAtBorder(Id face, const Triangle& corners)

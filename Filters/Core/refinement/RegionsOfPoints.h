@@ -41,6 +41,7 @@ private:
     Vec2 place;
   };
 
+  SourceRegion regionAt(std::uint64_t key, const SurfacePoint& place);
   Corner cornerOf(Id face, Id point);
 
   const RefinedFaces& faces_;
