@@ -38,6 +38,19 @@ GradientSlack slackOf(const TriangleMetric& triangle, double rise1, double rise2
 namespace
 {
 
+// The widest gap allowed between the windows of a list, or before and behind them, as a fraction of
+// the band's half width.
+constexpr double BandGap = 0.25;
+
+// Half the width of the band, as a fraction of the tolerance. If the distance on the halfedges
+// stays in this band around the interpolant, the face is linear without another look at its
+// windows. The half width counts twice, above and below, and the gradient in the face adds to both.
+constexpr double BandOfTolerance = 0.25;
+
+// If a face's interpolant deviates by at most this many tolerances, one split of its edges
+// suffices: it quarters the deviation where the distance is smooth and halves it at a kink.
+constexpr double SplitOnce = 2.0;
+
 // Whether the interpolant rises from the line of halfedge k into the face, to the opposite corner:
 // ways against the gradient leave through such a halfedge.
 bool risesFrom(std::size_t k, const FaceShape& shape, const std::array<double, 3>& d)
@@ -171,20 +184,6 @@ double quickBoundOfFace(const DistanceField& field, Id face, double tolerance, d
   return (bound <= limit ? std::min(bound, bySize) : bySize) + rounding;
 }
 
-namespace
-{
-
-// The widest gap allowed between the windows of a list, or before and behind them, as a fraction of
-// the band's half width.
-constexpr double BandGap = 0.25;
-
-// Half the width of the band, as a fraction of the tolerance. If the distance on the halfedges
-// stays in this band around the interpolant, the face is linear without another look at its
-// windows. The half width counts twice, above and below, and the gradient in the face adds to both.
-constexpr double BandOfTolerance = 0.25;
-
-} // anonymous namespace
-
 MeasuredList measuredList(const TriangleMesh& mesh, const PassedList& list, double tolerance)
 {
   const double length = mesh.length(list.halfedge);
@@ -218,10 +217,6 @@ MeasuredList measuredList(const TriangleMesh& mesh, const PassedList& list, doub
 
 namespace
 {
-
-// If a face's interpolant deviates by at most this many tolerances, one split of its edges
-// suffices: it quarters the deviation where the distance is smooth and halves it at a kink.
-constexpr double SplitOnce = 2.0;
 
 // From what was found about the lists as they passed. In a gap the distance changes by no more than
 // the length moved from the gap's ends, and the line by no more either.

@@ -49,14 +49,11 @@ std::vector<std::uint8_t> frozenOnAnyRank(const RefinedFaces& faces)
   for (Id face = surface.firstOwnFace(); face < surface.endOfOwnFaces(); ++face)
   {
     isFrozen[face] = faces.isFrozen(face) ? 1 : 0;
-    for (const Id vertex : surface.mesh().triangle(face))
+    for (std::size_t k = 0; k < 3 && isFrozen[face] != 0; ++k)
     {
-      for (const RankAddress& other : surface.othersWith(vertex))
+      for (const RankAddress& other : surface.othersWith(surface.mesh().triangle(face)[k]))
       {
-        if (faces.isFrozen(face))
-        {
-          put(messages[rankIndex(other.rank)], face);
-        }
+        put(messages[rankIndex(other.rank)], face);
       }
     }
   }
