@@ -78,20 +78,24 @@ double limitOfOpposite(const std::vector<ClosestFace>& closest)
   return closest.empty() ? -1.0 : limit;
 }
 
-/// Whether a face has all vertices of a part of another face.
-bool hasPart(const Triangle& corners, const Triangle& part)
+/// Whether a face has all vertices of the part of another face that contains its closest point.
+bool hasPart(const Triangle& corners, const FaceCandidate& other)
 {
-  return std::all_of(part.begin(), part.end(),
-    [&](Id vertex) {
-      return vertex == NoId || std::find(corners.begin(), corners.end(), vertex) != corners.end();
-    });
+  bool hasAll = true;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    hasAll = hasAll &&
+      (!other.isPart[k] ||
+        std::find(corners.begin(), corners.end(), other.corners[k]) != corners.end());
+  }
+  return hasAll;
 }
 
 /// Whether a face is farther than another although rounding may make their distances equal: its
 /// closest point is also a point of the other face, which has a closer one.
 bool isFartherThan(const FaceCandidate& face, const FaceCandidate& other)
 {
-  return hasPart(other.corners, face.support) && !hasPart(face.corners, other.support) &&
+  return hasPart(other.corners, face) && !hasPart(face.corners, other) &&
     norm(other.toClosest - face.toClosest) > face.precision;
 }
 
@@ -115,7 +119,7 @@ std::vector<const FaceCandidate*> closestOf(const std::vector<FaceCandidate>& fa
   std::sort(atVertices.begin(), atVertices.end());
   const auto isFarther = [&](const FaceCandidate* face)
   {
-    const Id vertex = *std::min_element(face->support.begin(), face->support.end());
+    const Id vertex = face->corners[face->isPart[0] ? 0 : face->isPart[1] ? 1 : 2];
     auto at = std::lower_bound(atVertices.begin(), atVertices.end(), vertex,
       [](const auto& entry, Id wanted) { return entry.first < wanted; });
     while (at != atVertices.end() && at->first == vertex && !isFartherThan(*face, *at->second))
@@ -196,7 +200,7 @@ void complete(
   candidate.corners = mesh.triangle(face);
   for (std::size_t k = 0; k < 3; ++k)
   {
-    candidate.support[k] = weights[k] != 0.0 ? candidate.corners[k] : NoId;
+    candidate.isPart[k] = weights[k] != 0.0;
   }
 }
 

@@ -22,10 +22,9 @@ Message messageOf(const MeshPartition& surface, const FoundOnRanks& found)
       {
         continue;
       }
-      for (std::size_t k = 0; k < 3; ++k)
+      for (Id& corner : candidate.corners)
       {
-        candidate.corners[k] = surface.globalId(candidate.corners[k]);
-        candidate.support[k] = candidate.support[k] == NoId ? NoId : candidate.corners[k];
+        corner = surface.globalId(corner);
       }
       candidate.face = surface.addressOf(candidate.face.id);
       put(message, i);

@@ -7,6 +7,7 @@
 #include "mesh/MeshPartition.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -30,10 +31,11 @@ struct FaceCandidate
   Vec3 toPlace{};
   /// The face's unit normal; zero if it has none.
   Vec3 normal{};
-  /// The vertices of the face, and of its smallest part (vertex, edge or the face) that contains
-  /// the closest point, filled with NoId.
+  /// The vertices of the face; once sent, their global ids.
   Triangle corners{};
-  Triangle support{};
+  /// Which corners its smallest part (vertex, edge or the face) has that contains the closest
+  /// point.
+  std::array<bool, 3> isPart{};
 
   bool isClosest(double least) const { return this->distance <= least + this->precision; }
 };

@@ -44,12 +44,6 @@ struct RefinementOptions
 /// including inside faces (paper, section 6, which considers edges). The surface does not change:
 /// new points lie on its edges and faces, where the distance is exact without a new propagation.
 ///
-/// All faces around an edge of the input share the points on it; between these each face is
-/// triangulated by itself (FaceRefiner). So new points inside a face concern no other.
-///
-/// If the surface has regions, triangles at their borders are halved after those over the
-/// tolerance.
-///
 /// If the tolerance needs more than the maximum of triangles, the surface is refined to a larger
 /// one, the smallest found for which there is room.
 ///
@@ -62,11 +56,10 @@ struct RefinementOptions
 /// split only if their neighbours' splits require it.
 ///
 /// All ranks call this together, with the same tolerance and maximum, and refine the faces that
-/// they own; the options' values for faces of other ranks are ignored. The refined parts fit
-/// together: points on edges of several ranks have the same place along the edge, position and
-/// distance on all of them, bit for bit. The maximum counts the triangles of all ranks; errorBound
-/// and stoppedAtMaximum are global. Partitions change few triangles:
-/// fields differ in their last bits, and ranks keep the windows of faces at seams.
+/// they own; the options' values for faces of other ranks are ignored. Points on edges of several
+/// ranks are the same on all of them, bit for bit. The maximum counts the triangles of all ranks;
+/// errorBound and stoppedAtMaximum are global. Partitions change few triangles: fields differ in
+/// their last bits, and ranks keep the windows of faces at seams.
 ///
 /// \param field with windows kept.
 /// \throws Error if the tolerance is not a positive number, or the field has no windows; Aborted.

@@ -6,6 +6,7 @@
 #include "refinement/Deviation.h"
 
 #include <array>
+#include <cstdint>
 #include <unordered_map>
 #include <vector>
 
@@ -27,8 +28,7 @@ struct PointOnEdge
   bool isForShape;
 };
 
-/// An edge of the input under refinement. All faces around it share its points, so that no T-vertex
-/// can arise.
+/// An edge of the input under refinement, whose points all faces around it share.
 struct CutEdge
 {
   /// The one along which it runs, the same for any order of the faces: of all at the edge the one
@@ -44,15 +44,28 @@ struct CutEdge
   Id numberOfPieces() const { return static_cast<Id>(this->points.size()) + 1; }
 };
 
-/// A point to be put on a piece of an edge.
+/// Why a triangle has to be split, the most urgent reason first.
+enum class SplitReason : std::uint8_t
+{
+  /// Its difference to the distance is over the tolerance.
+  Error,
+  /// Its smallest angle is too small.
+  Shape,
+  /// A border of regions passes it.
+  Border
+};
+
+/// A point to be put on a piece of an edge: a face asks for it, and EdgeSplitter adds its distance.
 struct EdgeSplit
 {
+  Id edge;
   Id piece;
-  /// Whether shapes alone ask for it.
-  bool isForShape;
-  /// The fraction of the way along the piece, inside of it.
+  SplitReason reason;
+  /// What is worse comes first.
+  double urgency;
+  /// The fraction of the way along the piece.
   double weight;
-  double distance;
+  double distance = 0.0;
 };
 
 /// The edges of the faces that are refined, and the points on them.
@@ -95,7 +108,7 @@ public:
   Id pieceFrom(Id edge, double at) const;
 
   /// The deviations of both parts of the piece are not known then.
-  void split(Id edge, const EdgeSplit& split);
+  void split(const EdgeSplit& split);
 
 private:
   const TriangleMesh& mesh_;

@@ -38,6 +38,19 @@ GradientSlack slackOf(const TriangleMetric& triangle, double rise1, double rise2
 namespace
 {
 
+// The widest gap allowed between the windows of a list, or before and behind them, as a fraction of
+// the band's half width.
+constexpr double BandGap = 0.25;
+
+// Half the width of the band, as a fraction of the tolerance. If the distance on the halfedges
+// stays in this band around the interpolant, the face is linear without another look at its
+// windows. The half width counts twice, above and below, and the gradient in the face adds to both.
+constexpr double BandOfTolerance = 0.25;
+
+// If a face's interpolant deviates by at most this many tolerances, one split of its edges
+// suffices: it quarters the deviation where the distance is smooth and halves it at a kink.
+constexpr double SplitOnce = 2.0;
+
 // Whether the interpolant rises from the line of halfedge k into the face, to the opposite corner:
 // ways against the gradient leave through such a halfedge.
 bool risesFrom(std::size_t k, const FaceShape& shape, const std::array<double, 3>& d)
@@ -103,17 +116,6 @@ double aboveOfHalfedge(
 double roundingOf(const std::array<double, 3>& d)
 {
   return tolerance::FaceRounding * std::max({ d[0], d[1], d[2] });
-}
-
-// How far the distance through windows of one halfedge can be below the interpolant, anywhere in
-// the face.
-double belowThroughHalfedge(
-  const TriangleMesh& mesh, Id halfedge, const std::array<double, 3>& d, const WindowRuns& windows)
-{
-  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
-  const std::size_t k = TriangleMesh::indexInFace(halfedge);
-  const LineOnSegment line(shape.length[k], d[k], d[(k + 1) % 3]);
-  return belowOfHalfedge(line, windows) + slackOf(shape, d).below;
 }
 
 } // anonymous namespace
@@ -182,78 +184,30 @@ double quickBoundOfFace(const DistanceField& field, Id face, double tolerance, d
   return (bound <= limit ? std::min(bound, bySize) : bySize) + rounding;
 }
 
-namespace
-{
-
-// The widest gap allowed between the windows of a list, or before and behind them, as a fraction of
-// the band's half width.
-constexpr double BandGap = 0.25;
-
-/// A line along a halfedge, and the half width of the band around it.
-struct Band
-{
-  LineOnSegment line;
-  double limit;
-
-  double high(double x) const { return this->line.atBegin + this->limit + this->line.slope * x; }
-  double low(double x) const { return this->line.atBegin - this->limit + this->line.slope * x; }
-};
-
-// A window is convex, so it is highest over the line at an end.
-bool isUnder(const Window& w, const Band& band)
-{
-  const double overBegin = band.high(w.begin) - w.sigma;
-  const double overEnd = band.high(w.end) - w.sigma;
-  if (w.isLinear())
-  {
-    return w.sourceX * w.begin <= overBegin && w.sourceX * w.end <= overEnd;
-  }
-  const double b = w.begin - w.sourceX;
-  const double e = w.end - w.sourceX;
-  const double h2 = w.sourceDepth * w.sourceDepth;
-  return std::min(overBegin, overEnd) >= 0.0 && b * b + h2 <= overBegin * overBegin &&
-    e * e + h2 <= overEnd * overEnd;
-}
-
-// A circular window is above its tangent with the line's slope, which suffices in most cases.
-bool isOver(const Window& w, const Band& band)
-{
-  if (!w.isLinear() && w.sigma + w.sourceDepth * band.line.sine >= band.low(w.sourceX))
-  {
-    return true;
-  }
-  const double x = band.line.lowestOf(w);
-  return w.distance(x) >= band.low(x);
-}
-
-// Half the width of the band, as a fraction of the tolerance. If the distance on the halfedges
-// stays in this band around the interpolant, the face is linear without another look at its
-// windows. The half width counts twice, above and below, and the gradient in the face adds to both.
-constexpr double BandOfTolerance = 0.25;
-
-} // anonymous namespace
-
 MeasuredList measuredList(const TriangleMesh& mesh, const PassedList& list, double tolerance)
 {
   const double length = mesh.length(list.halfedge);
-  const Band band = { LineOnSegment(length, list.ends[0], list.ends[1]),
-    BandOfTolerance * tolerance };
-  const double slope = band.line.slope;
+  const LineOnSegment line(length, list.ends[0], list.ends[1]);
+  const double limit = BandOfTolerance * tolerance;
   MeasuredList measured{ list };
-  if (!((1.0 - slope) * (1.0 + slope) >= -tolerance::Tie)) // 0 along a ray
+  if (!((1.0 - line.slope) * (1.0 + line.slope) >= -tolerance::Tie)) // 0 along a ray
   {
     return measured;
   }
-  const double gap = BandGap * band.limit;
+  const double gap = BandGap * limit;
   bool isUnderAll = true;
   double covered = 0.0;
   for (const Window& w : list.windows.range())
   {
-    if (!isOver(w, band))
+    const double lowest = line.lowestOf(w);
+    if (!(line.at(lowest) - w.distance(lowest) <= limit))
     {
       return measured;
     }
-    isUnderAll = isUnderAll && w.begin <= covered + gap && isUnder(w, band);
+    // A window is convex, so it is highest over the line at an end.
+    isUnderAll = isUnderAll && w.begin <= covered + gap &&
+      w.distance(w.begin) - line.at(w.begin) <= limit &&
+      w.distance(w.end) - line.at(w.end) <= limit;
     covered = w.end;
   }
   measured.hasNoneBelow = true;
@@ -263,10 +217,6 @@ MeasuredList measuredList(const TriangleMesh& mesh, const PassedList& list, doub
 
 namespace
 {
-
-// If a face's interpolant deviates by at most this many tolerances, one split of its edges
-// suffices: it quarters the deviation where the distance is smooth and halves it at a kink.
-constexpr double SplitOnce = 2.0;
 
 // From what was found about the lists as they passed. In a gap the distance changes by no more than
 // the length moved from the gap's ends, and the line by no more either.
@@ -351,12 +301,17 @@ LinearFaceTest testLinear(const TriangleMesh& mesh, Id face, const std::array<do
   return result;
 }
 
+// Through windows of one halfedge the distance can be below the interpolant by so much, anywhere in
+// the face.
 double boundWithLate(
   const TriangleMesh& mesh, const PassedList& late, float above, const std::array<double, 3>& d)
 {
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(late.halfedge));
+  const std::size_t k = TriangleMesh::indexInFace(late.halfedge);
+  const LineOnSegment line(shape.length[k], d[k], d[(k + 1) % 3]);
   const WindowRange windows = late.windows.range();
   return static_cast<double>(above) + roundingOf(d) +
-    belowThroughHalfedge(mesh, late.halfedge, d, { &windows, &windows + 1 });
+    (belowOfHalfedge(line, { &windows, &windows + 1 }) + slackOf(shape, d).below);
 }
 
 }

@@ -19,13 +19,11 @@ struct FaceBounds
   double below = Infinity;
 };
 
-/// How much more than along the halfedges the distance can deviate inside a face, because the
-/// interpolant's gradient is not a unit vector.
+/// How much more than along the halfedges the distance can deviate inside a face: below the
+/// interpolant if its gradient is longer than a unit vector, above it if it is shorter.
 struct GradientSlack
 {
-  /// Below the interpolant, if the gradient is longer.
   double below;
-  /// Above the interpolant, if the gradient is shorter.
   double above;
 };
 
@@ -59,7 +57,7 @@ FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<doub
 double quickBoundOfFace(const DistanceField& field, Id face, double tolerance, double known);
 
 /// A passed list, and whether its windows stay in a band around the line between the distances at
-/// the ends of its halfedge. The test takes no square roots; it may fail although they do.
+/// the ends of its halfedge.
 struct MeasuredList
 {
   PassedList list;
@@ -77,19 +75,17 @@ using MeasuredLists = std::forward_list<MeasuredList>;
 /// \param tolerance of the refinement.
 MeasuredList measuredList(const TriangleMesh& mesh, const PassedList& list, double tolerance);
 
-/// Let A and B bound how far the distance is above and below the linear interpolant of a face's
-/// corners. If triangles between points of its edges close the face, the values at these points are
-/// exact, so the closure is above the interpolant by at most A and below it by at most B: it
-/// differs from the distance by at most A + B (Bounds.md).
+/// How far any closure of a face by triangles between points of its edges can be from the distance:
+/// A + B, where A and B bound how far the distance is above and below the linear interpolant of the
+/// corners (Bounds.md).
 struct ClosureBound
 {
-  /// A + B with all rounding, and A.
+  /// With all rounding; and A.
   double bound = Infinity;
   float above = 0.0F;
 };
 
-/// Whether the distance in a face is linear within a tolerance, so that the face need not be
-/// refined. It is if one of the bounds is within the tolerance.
+/// Whether the distance in a face is linear, which it is if a bound is within the tolerance.
 struct LinearFaceTest
 {
   /// From the bands alone; may be wide. Good enough if a bound of this size is reported anyway.
@@ -106,8 +102,7 @@ struct LinearFaceTest
 LinearFaceTest testLinear(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
   const MeasuredLists& lists, double tolerance, double known);
 
-/// A + B of a linear face after another list has passed. A stays valid, as later windows only
-/// reduce the distance.
+/// A + B of a linear face after another list has passed, which leaves A valid.
 double boundWithLate(
   const TriangleMesh& mesh, const PassedList& late, float above, const std::array<double, 3>& d);
 

@@ -5,22 +5,25 @@
 #include "field/FaceDistance.h"
 #include "field/SegmentEnvelope.h"
 #include "refinement/RefinedFaces.h"
-#include "refinement/TriangleError.h"
 
+#include <array>
 #include <cstdint>
 #include <unordered_map>
+#include <vector>
 
 namespace geodesic
 {
 
-/// Compares the triangles of a face under refinement with the distance. One object serves one face
-/// after another and reuses its memory.
+/// Compares the triangles of a face under refinement with the distance, and certifies a bound of
+/// the difference on the whole triangle; the paper considers edges only. Bounds.md explains why the
+/// bounds hold. One object serves one face after another and reuses its memory.
 class FaceCheck
 {
 public:
   struct Result
   {
     bool hasPassed;
+    /// No difference is larger.
     double bound;
     /// A difference that does occur.
     double sample;
@@ -32,7 +35,6 @@ public:
   FaceCheck(const RefinedFaces& faces, double tolerance)
     : faces_(faces)
     , tolerance_(tolerance)
-    , error_(faces.field)
     , distance_(faces.field)
   {
   }
@@ -46,14 +48,51 @@ public:
   Result of(const Triangle& corners, bool isTight);
 
 private:
+  /// A triangle of the face's plane with a linear function, given by its values at the corners.
+  struct LinearPiece
+  {
+    std::array<Vec2, 3> corners;
+    std::array<double, 3> values;
+  };
+  /// A part of the triangle that is searched.
+  struct Node
+  {
+    LinearPiece piece;
+    Id depth;
+    /// For each corner, its row in the table of excesses.
+    std::array<std::size_t, 3> row;
+  };
+  /// The differences inside of a triangle: no one is larger than the bound, and the sample occurs.
+  struct Inside
+  {
+    double bound;
+    double sample;
+  };
+
+  double belowAtSources(const LinearPiece& piece) const;
+  Inside errorInside(
+    const LinearPiece& piece, const Deviation& onEdges, double limit, bool isTight);
+  Inside above(const LinearPiece& piece, double onEdges, double limit, bool isTight);
+  Inside search(const LinearPiece& piece, double limit, bool isTight);
+  std::size_t addRow(Vec2 p, double value);
+  double leastInRow(std::size_t row) const;
+  double halve(const Node& node);
+  double boundOf(const Node& node, double limit) const;
+
   const RefinedFaces& faces_;
   double tolerance_;
-  TriangleError error_;
-  SegmentEnvelope envelope_;
   FaceDistance distance_;
   const FaceTriangles* face_ = nullptr;
+  SegmentEnvelope envelope_;
   /// The deviations along sides inside the face, from the lower point to the higher one.
   std::unordered_map<std::uint64_t, Deviation> inside_;
+
+  // The search in one triangle.
+  NearCandidates near_;
+  /// Row by row: the excess of each candidate over the function at one point.
+  std::vector<double> excess_;
+  /// Parts that are yet to be examined.
+  std::vector<Node> nodes_;
 };
 
 }

@@ -39,16 +39,6 @@ constexpr double DistanceFromSides = 0.2;
 // A large face takes several rounds, between which the watcher can stop.
 constexpr int StepsInRound = 2048;
 
-std::size_t indexOfLargest(const std::array<double, 3>& values)
-{
-  return static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
-}
-
-double shortest(const std::array<double, 3>& lengths)
-{
-  return *std::min_element(lengths.begin(), lengths.end());
-}
-
 // The longest of a triangle's sides that lie on sides of the face; 3 if none does.
 std::size_t longestOnSide(const FaceTriangles::Part& part, const std::array<double, 3>& lengths)
 {
@@ -72,7 +62,7 @@ bool FaceRefiner::OpenPart::operator<(const OpenPart& other) const
 }
 
 bool FaceRefiner::refine(FaceTriangles& face, std::uint64_t mostParts, RegionsOfPoints* regions,
-  std::vector<SplitRequest>& requests)
+  std::vector<EdgeSplit>& requests)
 {
   this->regions_ = regions;
   this->requests_ = &requests;
@@ -148,8 +138,9 @@ void FaceRefiner::assess(Id part)
 void FaceRefiner::assessAtBorder(Id part)
 {
   const FaceTriangles::Part& p = this->face_->parts()[part];
-  const double length =
-    p.hasPassed && this->regions_ ? this->regions_->lengthAtBorder(*this->face_, p.corners) : 0.0;
+  const double length = p.hasPassed && this->regions_
+    ? this->regions_->lengthAtBorder(this->face_->face(), p.corners)
+    : 0.0;
   if (length > 0.0)
   {
     this->open_.push({ SplitReason::Border, length, part, p.version, Infinity });
@@ -234,7 +225,7 @@ void FaceRefiner::mendShape(const OpenPart& open)
   const std::array<Vec2, 3> places = this->face_->places(part.corners);
   const auto lengths = lengthsOf(places);
   const std::size_t k = longestOnSide(part, lengths);
-  const double least = shortest(lengths);
+  const double least = *std::min_element(lengths.begin(), lengths.end());
   if (k == 3 || !(lengths[k] > UnequalSides * least))
   {
     this->halveLongest(open);
@@ -287,8 +278,8 @@ void FaceRefiner::halveLongest(const OpenPart& open)
   for (;;)
   {
     const FaceTriangles::Part& p = this->face_->parts()[part];
-    const auto lengths = lengthsOf(this->face_->places(p.corners));
-    const std::size_t k = indexOfLargest(lengths);
+    const std::array<Vec2, 3> places = this->face_->places(p.corners);
+    const std::size_t k = longestSide(places);
     const Id other = p.across[k];
     if (other == NoId)
     {
@@ -296,8 +287,8 @@ void FaceRefiner::halveLongest(const OpenPart& open)
         open, this->faces_.pieceBetween(*this->face_, p.corners[k], p.corners[(k + 1) % 3]), 0.5);
       return;
     }
-    const auto there = lengthsOf(this->face_->places(this->face_->parts()[other].corners));
-    if (!(there[indexOfLargest(there)] > lengths[k]))
+    if (!(longestEdge(this->face_->places(this->face_->parts()[other].corners)) >
+          longestEdge(places)))
     {
       this->splitInside(open, part, k, 0.5);
       return;

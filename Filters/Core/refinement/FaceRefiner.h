@@ -12,29 +12,6 @@
 namespace geodesic
 {
 
-/// Why a triangle has to be split, the most urgent reason first.
-enum class SplitReason : std::uint8_t
-{
-  /// Its difference to the distance is over the tolerance.
-  Error,
-  /// Its smallest angle is too small.
-  Shape,
-  /// A border of regions passes it.
-  Border
-};
-
-/// A face asks for a point on one of its edges, which all faces there share.
-struct SplitRequest
-{
-  Id edge;
-  Id piece;
-  SplitReason reason;
-  /// What is worse comes first.
-  double urgency;
-  /// Where, as a fraction of the piece.
-  double weight;
-};
-
 /// Refines one face by itself, given the points on its edges: splits and flips sides inside, and
 /// asks for more points on its edges. One object serves one face after another and reuses its
 /// memory.
@@ -57,7 +34,7 @@ public:
   /// \param requests are appended.
   /// \returns whether the face has done what it can without new points on edges.
   bool refine(FaceTriangles& face, std::uint64_t mostParts, RegionsOfPoints* regions,
-    std::vector<SplitRequest>& requests);
+    std::vector<EdgeSplit>& requests);
 
 private:
   struct OpenPart
@@ -91,7 +68,7 @@ private:
   FaceTriangles* face_ = nullptr;
   double leastAngle_ = 0.0;
   RegionsOfPoints* regions_ = nullptr;
-  std::vector<SplitRequest>* requests_ = nullptr;
+  std::vector<EdgeSplit>* requests_ = nullptr;
   std::priority_queue<OpenPart> open_;
 };
 

@@ -23,8 +23,8 @@ struct PieceOfEdge
   bool isReversed = false;
 };
 
-/// The faces of this rank under refinement. Each face is triangulated by itself; what it shares
-/// with others are the points on its edges.
+/// The faces of this rank under refinement. Each is triangulated by itself between the points on
+/// its edges, which it shares with the faces around them.
 class RefinedFaces
 {
 public:

@@ -78,9 +78,8 @@ Id numberElsewhere(
   return numbers[number] = add(point, number);
 }
 
-/// Numbers the points that split edges of a refined mesh, one for each pair of parents: if several
-/// of the caller's points are one vertex, as along a seam, a split edge has a point for each pair
-/// of them.
+/// Numbers the points that split edges of a refined mesh, one for each pair of parents: a split
+/// seam has several points at one place.
 class SplitPointNumbering
 {
 public:

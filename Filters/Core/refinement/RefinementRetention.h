@@ -20,11 +20,9 @@ namespace geodesic
 /// Keeps the windows of faces that may have to be refined, and drops those of other faces as the
 /// front passes.
 ///
-/// A face is tested once the front has passed it. If the distance in it is linear within the
-/// tolerance, it needs no windows, unless a neighbour is refined and splits its edges. Later
-/// windows only reduce the distance, so the bound of how far it is above the interpolant stays
-/// valid, while the bound below is updated. If that becomes too large and the earlier windows are
-/// gone, these are missing.
+/// A face is tested once the front has passed it (testLinear()). If the distance in it is linear
+/// within the tolerance, it needs no windows, unless a neighbour is refined and splits its edges.
+/// Bounds.md says what is done about later windows.
 ///
 /// If ranks share the surface, each looks after the faces that it owns. It knows nothing of the
 /// others, so faces beside them keep their windows.

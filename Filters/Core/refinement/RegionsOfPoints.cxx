@@ -4,45 +4,42 @@
 #include "Tolerance.h"
 #include "refinement/TriangleShape.h"
 
-#include <algorithm>
-
 namespace geodesic
 {
 
-double RegionsOfPoints::lengthAtBorder(const FaceTriangles& face, const Triangle& c)
+SourceRegion RegionsOfPoints::regionAt(std::uint64_t key, const SurfacePoint& place)
 {
-  std::array<Corner, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k)
+  const auto [found, isNew] = this->known_.try_emplace(key);
+  if (isNew)
   {
-    const FaceTriangles::Point& point = face.points()[c[k]];
-    const bool isInside = point.number == NoId;
-    const std::uint64_t key =
-      isInside ? (static_cast<std::uint64_t>(face.face()) + 1) << 32 | c[k] : point.number;
-    corners[k] = { this->regionAt(
-                     key, isInside ? face.placeOf(c[k]) : this->faces_.edges.placeOf(point.number)),
-      point.distance, point.place };
+    found->second = this->regions_.at(place);
   }
-  return this->lengthAtBorder(corners);
+  return found->second;
 }
 
-double RegionsOfPoints::lengthAtBorder(Id face, const Triangle& c)
+RegionsOfPoints::Corner RegionsOfPoints::cornerOf(Id face, Id point)
 {
-  const TriangleMesh& mesh = this->faces_.field.mesh();
   const CutEdges& edges = this->faces_.edges;
-  const Id frame = longestHalfedge(mesh, face);
-  std::array<Corner, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k)
+  if (this->faces_.isOpen(face))
   {
-    const SurfacePoint place = edges.placeOf(c[k]);
-    corners[k] = { this->regionAt(c[k], place),
-      edges.distanceOf(c[k], this->faces_.field.vertexDistances()),
-      inHalfedgeFrame(mesh, frame, place) };
+    const FaceTriangles& open = this->faces_.triangles(face);
+    const FaceTriangles::Point& p = open.points()[point];
+    const SourceRegion region = p.number == NoId
+      ? this->regionAt((static_cast<std::uint64_t>(face) + 1) << 32 | point, open.placeOf(point))
+      : this->regionAt(p.number, edges.placeOf(p.number));
+    return { region, p.distance, p.place };
   }
-  return this->lengthAtBorder(corners);
+  const TriangleMesh& mesh = this->faces_.field.mesh();
+  const SurfacePoint place = edges.placeOf(point);
+  return { this->regionAt(point, place),
+    edges.distanceOf(point, this->faces_.field.vertexDistances()),
+    inHalfedgeFrame(mesh, longestHalfedge(mesh, face), place) };
 }
 
-double RegionsOfPoints::lengthAtBorder(const std::array<Corner, 3>& c) const
+double RegionsOfPoints::lengthAtBorder(Id face, const Triangle& corners)
 {
+  const std::array<Corner, 3> c = { this->cornerOf(face, corners[0]),
+    this->cornerOf(face, corners[1]), this->cornerOf(face, corners[2]) };
   const auto isBorderBetween = [](const Corner& a, const Corner& b)
   {
     // Where a straight line crosses the curve between its sides, there is no border. Both ends are
@@ -57,16 +54,6 @@ double RegionsOfPoints::lengthAtBorder(const std::array<Corner, 3>& c) const
   }
   const double longest = longestEdge({ c[0].place, c[1].place, c[2].place });
   return longest > this->tolerance_ ? longest : 0.0;
-}
-
-SourceRegion RegionsOfPoints::regionAt(std::uint64_t key, const SurfacePoint& place)
-{
-  const auto [found, isNew] = this->known_.try_emplace(key);
-  if (isNew)
-  {
-    found->second = this->regions_.at(place);
-  }
-  return found->second;
 }
 
 }

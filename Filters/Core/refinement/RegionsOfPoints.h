@@ -27,10 +27,10 @@ public:
   {
   }
 
-  /// The longest side of a triangle in an open face that must be split, as there is a border
-  /// between its corners; else 0.
-  double lengthAtBorder(const FaceTriangles& face, const Triangle& corners);
-  /// The same for a face that is not open, or a triangle between points of its edges.
+  /// The longest side of a triangle that must be split, as there is a border between its corners;
+  /// else 0.
+  ///
+  /// \param corners points of the open face; in another face, points on its edges.
   double lengthAtBorder(Id face, const Triangle& corners);
 
 private:
@@ -41,8 +41,8 @@ private:
     Vec2 place;
   };
 
-  double lengthAtBorder(const std::array<Corner, 3>& corners) const;
   SourceRegion regionAt(std::uint64_t key, const SurfacePoint& place);
+  Corner cornerOf(Id face, Id point);
 
   const RefinedFaces& faces_;
   SourceRegions& regions_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/SplitsOfEdges.h"
 
-#include "Exchange.h"
 #include "mesh/MeshPartition.h"
 
 #include <algorithm>
@@ -14,43 +13,26 @@ namespace geodesic
 namespace
 {
 
-/// An edge as all ranks know it that own a face there: the face of CutEdge::halfedge, and the
-/// halfedge's number in it.
-struct EdgeAddress
+/// A split for another rank. All ranks that own a face at the edge know CutEdge::halfedge by its
+/// face and its number there.
+struct SentSplit
 {
   RankAddress face;
   Id halfedge;
+  EdgeSplit split;
 };
 
-/// What a rank tells another one of an edge.
-template <typename Item>
-struct AtEdge
-{
-  EdgeAddress edge;
-  Item item;
-};
-
-EdgeAddress addressOf(const MeshPartition& surface, Id halfedge)
-{
-  return { surface.addressOf(TriangleMesh::faceOf(halfedge)), TriangleMesh::indexInFace(halfedge) };
-}
-
-Id edgeAt(const MeshPartition& surface, CutEdges& edges, const EdgeAddress& address)
-{
-  return edges.ensure(TriangleMesh::halfedgeOf(surface.faceAt(address.face), address.halfedge));
-}
-
-bool isSamePiece(const SplitRequest& a, const SplitRequest& b)
+bool isSamePiece(const EdgeSplit& a, const EdgeSplit& b)
 {
   return a.edge == b.edge && a.piece == b.piece;
 }
 
 // The most urgent request for each piece, by edges and pieces. The last pieces of an edge come
 // first, as splits change the numbers of those behind them.
-void keepMostUrgent(std::vector<SplitRequest>& requests)
+void keepMostUrgent(std::vector<EdgeSplit>& requests)
 {
   std::sort(requests.begin(), requests.end(),
-    [](const SplitRequest& a, const SplitRequest& b)
+    [](const EdgeSplit& a, const EdgeSplit& b)
     {
       return std::tuple(a.edge, b.piece, a.reason, b.urgency, a.weight) <
         std::tuple(b.edge, a.piece, b.reason, a.urgency, b.weight);
@@ -58,35 +40,28 @@ void keepMostUrgent(std::vector<SplitRequest>& requests)
   requests.erase(std::unique(requests.begin(), requests.end(), isSamePiece), requests.end());
 }
 
-// For each face of another rank, not 0 if its owner does not refine it; empty in one process.
-std::vector<std::uint8_t> frozenOnOtherRanks(const RefinedFaces& faces)
+// Each rank tells those that have a copy of a frozen face: those that have one of its vertices.
+std::vector<std::uint8_t> frozenOnAnyRank(const RefinedFaces& faces)
 {
   const MeshPartition& surface = faces.field.surface();
-  if (!surface.isDistributed())
-  {
-    return {};
-  }
-  // Each rank tells those that have a copy of a frozen face: those that have one of its vertices.
-  std::vector<std::uint8_t> isFrozenThere(surface.mesh().numberOfFaces(), 0);
+  std::vector<std::uint8_t> isFrozen(surface.mesh().numberOfFaces(), 0);
   std::vector<Message> messages = surface.exchange().noMessages();
   for (Id face = surface.firstOwnFace(); face < surface.endOfOwnFaces(); ++face)
   {
-    for (const Id vertex : surface.mesh().triangle(face))
+    isFrozen[face] = faces.isFrozen(face) ? 1 : 0;
+    for (std::size_t k = 0; k < 3 && isFrozen[face] != 0; ++k)
     {
-      for (const RankAddress& other : surface.othersWith(vertex))
+      for (const RankAddress& other : surface.othersWith(surface.mesh().triangle(face)[k]))
       {
-        if (faces.isFrozen(face))
-        {
-          put(messages[rankIndex(other.rank)], face);
-        }
+        put(messages[rankIndex(other.rank)], face);
       }
     }
   }
   readEach(surface.exchange().step(std::move(messages)),
     [&](int rank, MessageReader& reader) {
-      isFrozenThere[surface.copyOf({ rank, reader.get<Id>() })] = 1;
+      isFrozen[surface.copyOf({ rank, reader.get<Id>() })] = 1;
     });
-  return isFrozenThere;
+  return isFrozen;
 }
 
 } // anonymous namespace
@@ -94,7 +69,7 @@ std::vector<std::uint8_t> frozenOnOtherRanks(const RefinedFaces& faces)
 SplitsOfEdges::SplitsOfEdges(RefinedFaces& faces, double tolerance, const Job& job)
   : faces_(faces)
   , edges_(faces.edges)
-  , isFrozenThere_(frozenOnOtherRanks(faces))
+  , isFrozen_(frozenOnAnyRank(faces))
   , tolerance_(tolerance)
   , job_(job)
 {
@@ -116,7 +91,7 @@ void SplitsOfEdges::run(std::size_t count, const Item& item)
     [&](std::size_t task, std::size_t i) { item(*this->splitters_[task], i); });
 }
 
-std::vector<SplitRequest> SplitsOfEdges::measureNew()
+std::vector<EdgeSplit> SplitsOfEdges::measureNew()
 {
   std::vector<Id> unknown;
   for (Id edge = this->measured_; edge < this->edges_.size(); ++edge)
@@ -134,7 +109,7 @@ std::vector<SplitRequest> SplitsOfEdges::measureNew()
       this->edges_[unknown[i]].pieces = splitter.measure(unknown[i]);
       cuts[i] = splitter.fewestCuts(unknown[i]);
     });
-  std::vector<SplitRequest> requests;
+  std::vector<EdgeSplit> requests;
   for (std::size_t i = 0; i < unknown.size(); ++i)
   {
     if (!cuts[i].splits.empty())
@@ -147,150 +122,136 @@ std::vector<SplitRequest> SplitsOfEdges::measureNew()
   return requests;
 }
 
-std::vector<Id> SplitsOfEdges::split(std::vector<SplitRequest> requests)
+void SplitsOfEdges::split(std::vector<EdgeSplit> requests)
 {
-  requests = this->gather(std::move(requests));
-  std::vector<Id> edges;
-  std::vector<std::size_t> first;
+  keepMostUrgent(requests);
+  std::vector<Message> messages = this->faces_.field.surface().exchange().noMessages();
+  for (const EdgeSplit& request : requests)
+  {
+    this->tell(this->deciderOf(request.edge), request, messages);
+  }
+  requests = this->exchange(std::move(messages)); // about which this rank decides
+  keepMostUrgent(requests);
+  std::vector<std::size_t> first; // of each edge
   for (std::size_t i = 0; i < requests.size(); ++i)
   {
-    if (edges.empty() || edges.back() != requests[i].edge)
+    if (i == 0 || requests[i].edge != requests[i - 1].edge)
     {
-      edges.push_back(requests[i].edge);
       first.push_back(i);
     }
   }
+  std::vector<EdgeCuts> cuts(first.size());
   first.push_back(requests.size());
-  std::vector<EdgeCuts> cuts(edges.size());
-  this->run(edges.size(),
-    [&](EdgeSplitter& splitter, std::size_t i) {
-      cuts[i] = this->decide(splitter, requests.data() + first[i], requests.data() + first[i + 1]);
+  this->run(cuts.size(),
+    [&](EdgeSplitter& splitter, std::size_t i)
+    {
+      cuts[i] =
+        this->decide(splitter, { requests.data() + first[i], requests.data() + first[i + 1] });
     });
-  const std::vector<Id> changed = this->share(edges, cuts);
   this->fewest_.clear();
-  this->measure(changed);
-  return changed;
+  const std::size_t before = this->edges_.points().size();
+  this->cut(cuts);
+  this->measureFrom(before);
 }
 
 // The rank of the first face there that is refined, from that of CutEdge::halfedge on: it measures
-// what one process would. All ranks have these faces in one order. This rank refines one of its
-// own: it has asked for the split.
+// what one process would. All ranks have these faces in one order.
 int SplitsOfEdges::deciderOf(Id edge) const
 {
   const MeshPartition& surface = this->faces_.field.surface();
-  int rank = surface.exchange().rank();
-  bool isFound = !surface.isDistributed();
-  if (!isFound)
-  {
-    forEachFace(surface.mesh(), SurfacePoint::onEdge(this->edges_[edge].halfedge, 0.5),
-      [&](Id face)
-      {
-        if (!isFound && this->isFrozenThere_[face] == 0)
-        {
-          rank = surface.addressOf(face).rank;
-          isFound = true;
-        }
-      });
-  }
+  int rank = -1;
+  forEachFace(surface.mesh(), SurfacePoint::onEdge(this->edges_[edge].halfedge, 0.5),
+    [&](Id face)
+    { rank = rank < 0 && this->isFrozen_[face] == 0 ? surface.addressOf(face).rank : rank; });
   return rank;
 }
 
-// The requests about which this rank decides.
-std::vector<SplitRequest> SplitsOfEdges::gather(std::vector<SplitRequest> requests)
+void SplitsOfEdges::tell(int rank, const EdgeSplit& split, std::vector<Message>& messages) const
+{
+  const Id halfedge = this->edges_[split.edge].halfedge;
+  put(messages[rankIndex(rank)],
+    SentSplit{ this->faces_.field.surface().addressOf(TriangleMesh::faceOf(halfedge)),
+      TriangleMesh::indexInFace(halfedge), split });
+}
+
+// What all ranks tell this one, with this rank's edges.
+std::vector<EdgeSplit> SplitsOfEdges::exchange(std::vector<Message> messages)
 {
   const MeshPartition& surface = this->faces_.field.surface();
-  keepMostUrgent(requests);
-  if (!surface.isDistributed())
-  {
-    return requests;
-  }
-  std::vector<Message> messages = surface.exchange().noMessages();
-  std::vector<SplitRequest> own;
-  for (const SplitRequest& request : requests)
-  {
-    const int decider = this->deciderOf(request.edge);
-    if (decider == surface.exchange().rank())
-    {
-      own.push_back(request);
-    }
-    else
-    {
-      put(messages[rankIndex(decider)],
-        AtEdge<SplitRequest>{ addressOf(surface, this->edges_[request.edge].halfedge), request });
-    }
-  }
+  std::vector<EdgeSplit> splits;
   readEach(surface.exchange().step(std::move(messages)),
     [&](int, MessageReader& reader)
     {
-      const auto message = reader.get<AtEdge<SplitRequest>>();
-      own.push_back(message.item);
-      own.back().edge = edgeAt(surface, this->edges_, message.edge);
+      const auto sent = reader.get<SentSplit>();
+      splits.push_back(sent.split);
+      splits.back().edge =
+        this->edges_.ensure(TriangleMesh::halfedgeOf(surface.faceAt(sent.face), sent.halfedge));
     });
-  keepMostUrgent(own);
-  return own;
+  return splits;
 }
 
-EdgeCuts SplitsOfEdges::decide(
-  EdgeSplitter& splitter, const SplitRequest* first, const SplitRequest* last)
+// The cuts of one edge.
+EdgeCuts SplitsOfEdges::decide(EdgeSplitter& splitter, ArrayRange<EdgeSplit> requests) const
 {
-  const Id edge = first->edge;
+  const EdgeSplit& first = *requests.begin();
   EdgeCuts cuts;
-  if (this->edges_[edge].points.empty() && first->reason == SplitReason::Error)
+  if (this->edges_[first.edge].points.empty() && first.reason == SplitReason::Error)
   {
-    const auto known = this->fewest_.find(edge);
-    cuts = known == this->fewest_.end() ? splitter.fewestCuts(edge) : known->second;
+    const auto known = this->fewest_.find(first.edge);
+    cuts = known == this->fewest_.end() ? splitter.fewestCuts(first.edge) : known->second;
   }
-  const bool isCut = !cuts.splits.empty();
-  for (; !isCut && first != last; ++first)
+  if (cuts.splits.empty())
   {
-    cuts.splits.push_back(
-      splitter.split(edge, first->piece, first->weight, first->reason == SplitReason::Shape));
+    cuts.splits.assign(requests.begin(), requests.end());
+    for (EdgeSplit& split : cuts.splits)
+    {
+      splitter.complete(split);
+    }
   }
   return cuts;
 }
 
 // Makes this rank's splits, tells the other ranks with faces there, and makes theirs.
-std::vector<Id> SplitsOfEdges::share(
-  const std::vector<Id>& edges, const std::vector<EdgeCuts>& cuts)
+void SplitsOfEdges::cut(const std::vector<EdgeCuts>& cuts)
 {
   const MeshPartition& surface = this->faces_.field.surface();
   std::vector<Message> messages = surface.exchange().noMessages();
-  std::vector<Id> changed = edges;
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  for (const EdgeCuts& cut : cuts)
   {
-    const Id halfedge = this->edges_[edges[i]].halfedge;
-    const std::vector<int> others =
-      surface.isDistributed() ? surface.otherRanksAt(halfedge) : std::vector<int>();
-    for (const EdgeSplit& split : cuts[i].splits)
+    const Id edge = cut.splits.front().edge;
+    const std::vector<int> others = surface.otherRanksAt(this->edges_[edge].halfedge);
+    for (const EdgeSplit& split : cut.splits)
     {
-      this->edges_.split(edges[i], split);
+      this->edges_.split(split);
       for (const int other : others)
       {
-        put(messages[rankIndex(other)], AtEdge<EdgeSplit>{ addressOf(surface, halfedge), split });
+        this->tell(other, split, messages);
       }
     }
-    if (cuts[i].pieces.size() == this->edges_[edges[i]].numberOfPieces())
+    if (cut.pieces.size() == this->edges_[edge].numberOfPieces())
     {
-      this->edges_[edges[i]].pieces = cuts[i].pieces;
+      this->edges_[edge].pieces = cut.pieces;
     }
   }
-  if (surface.isDistributed())
+  for (const EdgeSplit& split : this->exchange(std::move(messages)))
   {
-    readEach(surface.exchange().step(std::move(messages)),
-      [&](int, MessageReader& reader)
-      {
-        const auto message = reader.get<AtEdge<EdgeSplit>>();
-        changed.push_back(edgeAt(surface, this->edges_, message.edge));
-        this->edges_.split(changed.back(), message.item);
-      });
-    std::sort(changed.begin(), changed.end());
-    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    this->edges_.split(split);
   }
-  return changed;
 }
 
-void SplitsOfEdges::measure(const std::vector<Id>& edges)
+// Measures the edges of the points from the first one on. The points of one edge are consecutive,
+// as one rank has decided about it.
+void SplitsOfEdges::measureFrom(std::size_t firstPoint)
 {
+  const std::vector<PointOnEdge>& points = this->edges_.points();
+  std::vector<Id> edges;
+  for (std::size_t i = firstPoint; i < points.size(); ++i)
+  {
+    if (edges.empty() || edges.back() != points[i].edge)
+    {
+      edges.push_back(points[i].edge);
+    }
+  }
   this->run(edges.size(),
     [&](EdgeSplitter& splitter, std::size_t i)
     { this->edges_[edges[i]].pieces = splitter.measure(edges[i]); });

@@ -2,19 +2,20 @@
 #ifndef geodesic_SplitsOfEdges_h
 #define geodesic_SplitsOfEdges_h
 
+#include "Exchange.h"
 #include "Job.h"
 #include "refinement/EdgeSplitter.h"
-#include "refinement/FaceRefiner.h"
 
 #include <cstdint>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 namespace geodesic
 {
 
-/// Puts points on edges, as faces have asked for them. Faces of several ranks at an edge get the
-/// same points, bit for bit: one rank that refines a face there decides for all.
+/// Puts points on edges, as faces have asked for them. Of several ranks with faces at an edge, one
+/// that refines a face there decides for all.
 class SplitsOfEdges
 {
 public:
@@ -23,27 +24,26 @@ public:
 
   /// Measures the edges that have been added since the last call. \returns for each one over the
   /// tolerance a request to split it.
-  std::vector<SplitRequest> measureNew();
+  std::vector<EdgeSplit> measureNew();
   /// Makes the splits that any rank asks for: of several for one piece, the most urgent one. An
   /// edge without points that is over the tolerance is cut into the fewest pieces at once. A
   /// collective call of all ranks.
-  ///
-  /// \returns the edges that have new points, ascending.
-  std::vector<Id> split(std::vector<SplitRequest> requests);
+  void split(std::vector<EdgeSplit> requests);
 
 private:
   template <typename Item>
   void run(std::size_t count, const Item& item);
   int deciderOf(Id edge) const;
-  std::vector<SplitRequest> gather(std::vector<SplitRequest> requests);
-  EdgeCuts decide(EdgeSplitter& splitter, const SplitRequest* first, const SplitRequest* last);
-  std::vector<Id> share(const std::vector<Id>& edges, const std::vector<EdgeCuts>& cuts);
-  void measure(const std::vector<Id>& edges);
+  void tell(int rank, const EdgeSplit& split, std::vector<Message>& messages) const;
+  std::vector<EdgeSplit> exchange(std::vector<Message> messages);
+  EdgeCuts decide(EdgeSplitter& splitter, ArrayRange<EdgeSplit> requests) const;
+  void cut(const std::vector<EdgeCuts>& cuts);
+  void measureFrom(std::size_t firstPoint);
 
   RefinedFaces& faces_;
   CutEdges& edges_;
-  /// On several ranks, for each face of another rank, not 0 if its owner does not refine it.
-  std::vector<std::uint8_t> isFrozenThere_;
+  /// For each face of any rank, not 0 if its owner does not refine it.
+  std::vector<std::uint8_t> isFrozen_;
   double tolerance_;
   const Job& job_;
   std::vector<std::unique_ptr<EdgeSplitter>> splitters_;

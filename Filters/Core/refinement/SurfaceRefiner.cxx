@@ -72,38 +72,32 @@ double SurfaceRefiner::shareOfRoom() const
 // need not be sharp.
 void SurfaceRefiner::assessFaces()
 {
-  constexpr Id facesInBatch = 2 * ItemsInRange;
-  const Id first = this->surface_.firstOwnFace();
   const Id end = this->surface_.endOfOwnFaces();
-  for (Id face = first; face < end; face += std::min(facesInBatch, end - face))
+  const Id count = end - this->surface_.firstOwnFace();
+  std::vector<double> bounds;
+  for (Id left = count; left > 0; left -= std::min<Id>(left, 2 * ItemsInRange))
   {
-    this->options_.job.reach(FacesAssessed * (face - first) / (end - first));
-    this->assessFaces(face, face + std::min(facesInBatch, end - face));
-  }
-}
-
-void SurfaceRefiner::assessFaces(Id first, Id end)
-{
-  std::vector<double> bounds(end - first, 0.0);
-  this->options_.job.part(0.0, 0.0).loop(bounds.size(),
-    [&](std::size_t i)
-    {
-      const Id face = first + static_cast<Id>(i);
-      if (!this->faces_.isFrozen(face))
+    this->options_.job.reach(FacesAssessed * (count - left) / count);
+    bounds.assign(std::min<Id>(left, 2 * ItemsInRange), 0.0);
+    this->options_.job.part(0.0, 0.0).loop(bounds.size(),
+      [&](std::size_t i)
       {
-        bounds[i] = quickBoundOfFace(this->faces_.field, face, this->tolerance_, this->bound_);
+        const Id face = end - left + static_cast<Id>(i);
+        if (!this->faces_.isFrozen(face))
+        {
+          bounds[i] = quickBoundOfFace(this->faces_.field, face, this->tolerance_, this->bound_);
+        }
+      });
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+    {
+      if (bounds[i] == Infinity)
+      {
+        this->due_.push_back(end - left + static_cast<Id>(i));
       }
-    });
-  for (Id face = first; face < end; ++face)
-  {
-    const double bound = bounds[face - first];
-    if (bound == Infinity)
-    {
-      this->due_.push_back(face);
-    }
-    else
-    {
-      this->bound_ = std::max(this->bound_, bound);
+      else
+      {
+        this->bound_ = std::max(this->bound_, bounds[i]);
+      }
     }
   }
 }
@@ -124,10 +118,11 @@ void SurfaceRefiner::findBorders()
 bool SurfaceRefiner::refineFaces(RegionsOfPoints* regions)
 {
   this->openDue();
-  std::vector<SplitRequest> requests = this->splits_.measureNew();
+  std::vector<EdgeSplit> requests = this->splits_.measureNew();
   while (this->isAnythingLeft(requests))
   {
-    this->takeChanged(this->splits_.split(std::move(requests)));
+    this->splits_.split(std::move(requests));
+    this->takeNewPoints();
     this->openDue();
     this->splits_.measureNew(); // faces ask for what these need
     requests = this->work(regions);
@@ -150,7 +145,7 @@ void SurfaceRefiner::openDue()
 }
 
 // Whether some rank has faces or edges to refine, and all ranks have room.
-bool SurfaceRefiner::isAnythingLeft(const std::vector<SplitRequest>& requests)
+bool SurfaceRefiner::isAnythingLeft(const std::vector<EdgeSplit>& requests)
 {
   struct State
   {
@@ -174,19 +169,17 @@ bool SurfaceRefiner::isAnythingLeft(const std::vector<SplitRequest>& requests)
   return isAnyLeftOfAll && !this->isOverfull_;
 }
 
-// Edges have new points: the faces around them are due.
-void SurfaceRefiner::takeChanged(const std::vector<Id>& edges)
+// The faces around new points on edges are due.
+void SurfaceRefiner::takeNewPoints()
 {
-  this->pointsOn_.resize(this->faces_.edges.size(), 0);
-  for (const Id edge : edges)
+  const TriangleMesh& mesh = this->surface_.mesh();
+  const std::vector<PointOnEdge>& points = this->faces_.edges.points();
+  for (; this->points_ < points.size(); ++this->points_)
   {
-    const CutEdge& e = this->faces_.edges[edge];
-    const auto added = static_cast<Id>(e.points.size()) - this->pointsOn_[edge];
-    this->pointsOn_[edge] += added;
-    const auto beside =
-      this->options_.trianglesBeside.find(this->surface_.mesh().edgeOf(e.halfedge));
-    Id triangles = beside == this->options_.trianglesBeside.end() ? 0 : beside->second;
-    forEachFace(this->surface_.mesh(), SurfacePoint::onEdge(e.halfedge, 0.5),
+    const Id halfedge = this->faces_.edges[points[this->points_].edge].halfedge;
+    const auto beside = this->options_.trianglesBeside.find(mesh.edgeOf(halfedge));
+    this->numberOfTriangles_ += beside == this->options_.trianglesBeside.end() ? 0 : beside->second;
+    forEachFace(mesh, SurfacePoint::onEdge(halfedge, 0.5),
       [&](Id face)
       {
         if (!this->faces_.isFrozen(face))
@@ -195,18 +188,17 @@ void SurfaceRefiner::takeChanged(const std::vector<Id>& edges)
         }
         else
         {
-          triangles += this->surface_.isOwn(face) ? 1 : 0;
+          this->numberOfTriangles_ += this->surface_.isOwn(face) ? 1 : 0;
         }
       });
-    this->numberOfTriangles_ += static_cast<std::uint64_t>(added) * triangles;
   }
 }
 
 // Refines the due faces, each by itself. Returns the points that they need on edges.
-std::vector<SplitRequest> SurfaceRefiner::work(RegionsOfPoints* regions)
+std::vector<EdgeSplit> SurfaceRefiner::work(RegionsOfPoints* regions)
 {
   const std::vector<Id> due = std::exchange(this->due_, {});
-  std::vector<std::vector<SplitRequest>> requests(due.size());
+  std::vector<std::vector<EdgeSplit>> requests(due.size());
   std::vector<std::uint8_t> isDone(due.size());
   const auto refine = [&](std::size_t task, std::size_t i)
   {
@@ -232,7 +224,7 @@ std::vector<SplitRequest> SurfaceRefiner::work(RegionsOfPoints* regions)
     this->options_.job.loopByTasks(
       due.size(), [this](std::size_t tasks) { this->makeRefiners(tasks); }, refine);
   }
-  std::vector<SplitRequest> all;
+  std::vector<EdgeSplit> all;
   for (std::size_t i = 0; i < due.size(); ++i)
   {
     this->numberOfTriangles_ += this->faces_.triangles(due[i]).numberOfParts();
@@ -266,10 +258,10 @@ std::uint64_t SurfaceRefiner::mostPartsOf(Id face) const
 
 // The errors fall from the initial worst to the tolerance, by about the same factor with each
 // round.
-void SurfaceRefiner::report(const std::vector<SplitRequest>& requests)
+void SurfaceRefiner::report(const std::vector<EdgeSplit>& requests)
 {
   double worst = this->tolerance_;
-  for (const SplitRequest& request : requests)
+  for (const EdgeSplit& request : requests)
   {
     worst = std::max(worst, request.reason == SplitReason::Error ? request.urgency : 0.0);
   }

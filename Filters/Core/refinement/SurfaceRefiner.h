@@ -36,16 +36,15 @@ public:
 
 private:
   void assessFaces();
-  void assessFaces(Id first, Id end);
   void findBorders();
   bool refineFaces(RegionsOfPoints* regions);
   void openDue();
-  bool isAnythingLeft(const std::vector<SplitRequest>& requests);
-  void takeChanged(const std::vector<Id>& edges);
-  std::vector<SplitRequest> work(RegionsOfPoints* regions);
+  bool isAnythingLeft(const std::vector<EdgeSplit>& requests);
+  void takeNewPoints();
+  std::vector<EdgeSplit> work(RegionsOfPoints* regions);
   void makeRefiners(std::size_t count);
   std::uint64_t mostPartsOf(Id face) const;
-  void report(const std::vector<SplitRequest>& requests);
+  void report(const std::vector<EdgeSplit>& requests);
   double boundOfAll();
   std::vector<Id> unknownAtBorders();
 
@@ -58,8 +57,8 @@ private:
   std::vector<std::unique_ptr<FaceRefiner>> refiners_;
   /// Faces with work to do.
   std::vector<Id> due_;
-  /// For each edge, how many points have been counted.
-  std::vector<Id> pointsOn_;
+  /// How many points on edges have been counted.
+  std::size_t points_ = 0;
   std::uint64_t numberOfTriangles_;
   std::uint64_t trianglesOfAll_ = 0;
   bool isOverfull_ = false;

@@ -19,6 +19,14 @@ inline std::array<double, 3> lengthsOf(const std::array<Vec2, 3>& c)
   return { norm(c[1] - c[0]), norm(c[2] - c[1]), norm(c[0] - c[2]) };
 }
 
+/// The first of the longest sides.
+inline std::size_t longestSide(const std::array<Vec2, 3>& c)
+{
+  const std::array<double, 3> lengths = lengthsOf(c);
+  return static_cast<std::size_t>(
+    std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
+}
+
 inline double longestEdge(const std::array<Vec2, 3>& c)
 {
   const std::array<double, 3> lengths = lengthsOf(c);

@@ -4,7 +4,7 @@
 #include "window/WindowSupport.h"
 
 #include "refinement/Deviation.h"
-#include "refinement/DistanceAlongEdge.h"
+#include "refinement/EdgeSplitter.h"
 #include "window/WindowList.h"
 
 #include <gtest/gtest.h>
@@ -17,6 +17,7 @@
 
 using namespace geodesictest;
 using geodesic::Deviation;
+using geodesic::Id;
 using geodesic::largestDeviation;
 
 namespace
@@ -172,7 +173,8 @@ std::size_t fewestPieces(double h, double begin, double end, double tolerance)
 
 }
 
-TEST(DistanceAlongEdge, CutsAHyperbolaIntoTheFewestPieces)
+// In a face whose corner is the source, the distance along the edge opposite is a hyperbola.
+TEST(EdgeSplitter, CutsAHyperbolaIntoTheFewestPieces)
 {
   for (Random& random : EachSeed(300))
   {
@@ -180,17 +182,35 @@ TEST(DistanceAlongEdge, CutsAHyperbolaIntoTheFewestPieces)
     const double h = std::pow(10.0, random.uniform(-2.0, 1.0)) * length;
     const double source = random.uniform(-1.0, 2.0) * length;
     const double tolerance = std::pow(10.0, random.uniform(-5.0, -2.0)) * length;
-    geodesic::DistanceAlongEdge distance;
-    distance.add({ { 0.0, length, source, h, 0.0, 0.0, Window::Kind::Circular, 0 } }, 0.0);
-    std::vector<double> places = distance.cuts(0.0, length, tolerance);
-    EXPECT_GE(places.size() + 1, fewestPieces(h, -source, length - source, tolerance));
-    EXPECT_LE(places.size() + 1, fewestPieces(h, -source, length - source, 0.9 * tolerance));
-    places.insert(places.begin(), 0.0);
-    places.push_back(length);
-    for (std::size_t i = 1; i < places.size(); ++i)
+    const geodesic::TriangleMesh mesh =
+      engineMesh({ { { source, h, 0 }, { 0, 0, 0 }, { length, 0, 0 } }, { { 0, 1, 2 } } });
+    const auto field =
+      solveKeepingAll(mesh, { geodesic::pointCurve(geodesic::SurfacePoint::atVertex(0)) });
+    geodesic::RefinedFaces faces(field);
+    const Id edge = faces.edges.ensure(1);
+    geodesic::EdgeSplitter splitter(faces, tolerance);
+    const geodesic::EdgeCuts cuts = splitter.fewestCuts(edge);
+    for (const geodesic::EdgeSplit& split : cuts.splits)
     {
-      ASSERT_LT(places[i - 1], places[i]);
-      EXPECT_LE(distance.deviation(places[i - 1], places[i], nullptr).largest(), 1.01 * tolerance);
+      EXPECT_EQ(split.edge, edge);
+      faces.edges.split(split);
+      const double x = faces.edges.points().back().at * length;
+      const bool isForward = mesh.origin(faces.edges[edge].halfedge) == 1;
+      EXPECT_NEAR(
+        split.distance, std::hypot((isForward ? x : length - x) - source, h), 1e-12 * (h + length));
+    }
+    const std::size_t pieces = cuts.splits.size() + 1;
+    EXPECT_GE(pieces, fewestPieces(h, -source, length - source, tolerance));
+    EXPECT_LE(pieces, fewestPieces(h, -source, length - source, 0.9 * tolerance));
+    const std::vector<Deviation> measured = geodesic::EdgeSplitter(faces, tolerance).measure(edge);
+    ASSERT_EQ(measured.size(), pieces);
+    for (std::size_t i = 0; i < pieces; ++i)
+    {
+      EXPECT_LE(measured[i].largest(), 1.01 * tolerance);
+      if (pieces > 1)
+      {
+        EXPECT_NEAR(cuts.pieces[i].largest(), measured[i].largest(), 1e-12 * (h + length));
+      }
     }
   }
 }

@@ -87,7 +87,8 @@ TEST(RefinedFaces, AFaceThatIsNotRefinedIsClosedBetweenThePointsOnItsEdges)
       for (Index i = random.between(0, 4); i > 0; --i)
       {
         const Id piece = static_cast<Id>(random.below(faces.edges[edge].numberOfPieces()));
-        faces.edges.split(edge, { piece, false, random.uniform(0.1, 0.9), 0.0 });
+        faces.edges.split(
+          { edge, piece, geodesic::SplitReason::Error, 0.0, random.uniform(0.1, 0.9) });
         ++added;
       }
     }

@@ -2,7 +2,8 @@
 // Bounds on whole triangles, compared with distances in the plane.
 #include "EngineSupport.h"
 
-#include "refinement/TriangleError.h"
+#include "refinement/EdgeSplitter.h"
+#include "refinement/FaceCheck.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,7 @@
 
 using namespace geodesictest;
 using geodesic::Deviation;
-using geodesic::FaceDistance;
-using geodesic::LinearPiece;
+using geodesic::DistanceField;
 using geodesic::SurfacePoint;
 using geodesic::TriangleMesh;
 
@@ -94,60 +94,58 @@ Deviation onEdgesOf(const PlainMesh& mesh, const std::array<double, 3>& d)
   return largest;
 }
 
+/// Whether face 0 as a whole is within a tolerance.
+bool hasPassed(const DistanceField& field, double tolerance)
+{
+  geodesic::RefinedFaces faces(field);
+  faces.open(0);
+  geodesic::EdgeSplitter splitter(faces, tolerance);
+  for (geodesic::Id edge = 0; edge < faces.edges.size(); ++edge)
+  {
+    faces.edges[edge].pieces = splitter.measure(edge);
+  }
+  geodesic::FaceCheck check(faces, tolerance);
+  check.enter(faces.triangles(0));
+  return check.of({ 0, 1, 2 }, false).hasPassed;
+}
+
 }
 
 // Three fronts meet inside, where none of them alone is near the distance in a large part. The
 // search must combine them, or it ends before it has halved the triangle often enough.
-TEST(TriangleError, ProvesALimitCloseToTheDifferenceWhereFrontsMeet)
+TEST(FaceCheck, ProvesALimitCloseToTheDifferenceWhereFrontsMeet)
 {
   for (Random& random : EachSeed(100))
   {
     const PlainMesh plain = faceBetweenSources(random);
     const TriangleMesh mesh = engineMesh(plain);
-    const geodesic::DistanceField field = solveKeepingAll(mesh,
+    const DistanceField field = solveKeepingAll(mesh,
       { geodesic::pointCurve(SurfacePoint::atVertex(3)),
         geodesic::pointCurve(SurfacePoint::atVertex(4)),
         geodesic::pointCurve(SurfacePoint::atVertex(5)) });
-    const FaceDistance face(field, 0);
-    LinearPiece piece;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      piece.corners[k] = face.inPlane(geodesic::cornerWeights(k));
-      piece.values[k] = toNearestSource(plain, plain.points[k]);
-    }
-    const double largest = excessAt(plain, piece.values, meetingOf(plain));
-    const Deviation onEdges = onEdgesOf(plain, piece.values);
-    ASSERT_LT(onEdges.above, largest);
-    geodesic::TriangleError error(field);
+    const std::array<double, 3> d = { toNearestSource(plain, plain.points[0]),
+      toNearestSource(plain, plain.points[1]), toNearestSource(plain, plain.points[2]) };
+    const double largest = excessAt(plain, d, meetingOf(plain));
+    ASSERT_LT(onEdgesOf(plain, d).above, largest);
     for (const double limit : { 0.9 * largest, 0.999 * largest, 1.005 * largest })
     {
-      const double bound = error.of(face, piece, onEdges, limit, false).bound;
-      EXPECT_EQ(bound <= limit, limit > largest) << bound << ", limit " << limit;
+      EXPECT_EQ(hasPassed(field, limit), limit > largest) << limit << " of " << largest;
     }
   }
 }
 
 // All corners are sources. In the middle two of them are much farther than the third.
-TEST(TriangleError, KnowsFrontsThatAreNearestOnlyAtCorners)
+TEST(FaceCheck, KnowsFrontsThatAreNearestOnlyAtCorners)
 {
   PlainMesh plain;
   plain.points = { { -1, 0, 0 }, { 1, 0, 0 }, { 0, 0.2, 0 }, { -1, 0, 0 }, { 1, 0, 0 },
     { 0, 0.2, 0 } };
   plain.triangles = { { 0, 1, 2 } };
   const TriangleMesh mesh = engineMesh(plain);
-  const geodesic::DistanceField field = solveKeepingAll(mesh,
+  const DistanceField field = solveKeepingAll(mesh,
     { geodesic::pointCurve(SurfacePoint::atVertex(0)),
       geodesic::pointCurve(SurfacePoint::atVertex(1)),
       geodesic::pointCurve(SurfacePoint::atVertex(2)) });
-  const FaceDistance face(field, 0);
-  LinearPiece piece{};
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    piece.corners[k] = face.inPlane(geodesic::cornerWeights(k));
-  }
   // As the angle at the third corner is obtuse, the farthest point is on an edge.
-  const Deviation onEdges = onEdgesOf(plain, piece.values);
-  const double limit = 1.01 * onEdges.above;
-  geodesic::TriangleError error(field);
-  EXPECT_LE(error.of(face, piece, onEdges, limit, false).bound, limit);
+  EXPECT_TRUE(hasPassed(field, 1.01 * onEdgesOf(plain, {}).above));
 }
