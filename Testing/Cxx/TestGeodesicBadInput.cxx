@@ -19,13 +19,6 @@ vtkSmartPointer<vtkPolyData> WithPoint(vtkSmartPointer<vtkPolyData> data, vtkIdT
   return data;
 }
 
-vtkSmartPointer<vtkPolyData> OnlyPoints(vtkPolyData* data)
-{
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(data->GetPoints());
-  return result;
-}
-
 vtkSmartPointer<vtkPolyData> WithFace(vtkSmartPointer<vtkPolyData> data, vtkIdType badId)
 {
   data->GetPolys()->InsertNextCell({ 0, 1, badId });
@@ -54,7 +47,6 @@ std::vector<Case> Cases()
 
   return {
     { "an empty surface", nothing, corner, { "port 0", "no faces", "Connect" } },
-    { "a surface of points only", OnlyPoints(Square(2)), corner, { "port 0", "no faces" } },
     { "a surface whose only face is a,a,b", degenerate, corner,
       { "port 0", "three different corners" } },
     { "a face that names a missing point", WithFace(Square(2), 99), corner,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkGeodesicContour in a pipeline: its values, arrays and lines, what is wrong with properties,
-// composite input, abort and progress.
+// composite input.
 #include "GeodesicTesting.h"
 
 #include "vtkCellData.h"
@@ -8,7 +8,6 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkSMPTools.h"
 
 #include <limits>
 #include <map>
@@ -215,23 +214,6 @@ void CheckComposite(Check& check)
   check.That(!lines.empty() && lines[0].IsClosed(), "it is closed");
 }
 
-// In a size in which squares of areas leave the range of numbers.
-void CheckScale(Check& check)
-{
-  for (const double scale : { 1e-120, 1e120 })
-  {
-    const auto surface = Moved(Square(8), ScaledBy(scale));
-    vtkNew<vtkGeodesicContour> filter;
-    SetUp(filter, surface, PointSources({ { 0.5 * scale, 0.5 * scale, 0.0 } }), { 0.3 * scale });
-    filter->Update();
-    const std::vector<Line> lines = LinesOf(check, filter->GetOutput());
-    check.Equal(lines.size(), 1, "a line at any scale");
-    check.That(!lines.empty() && lines[0].Value == 0.3 * scale &&
-        std::abs(lines[0].Length / scale - 0.6 * Pi) < 1e-3,
-      "in the units of the surface");
-  }
-}
-
 void CheckBadProperties(Check& check)
 {
   const auto expect = [&](const std::string& words, auto&& change)
@@ -320,58 +302,6 @@ void CheckSigned(Check& check)
   check.Equal(filter->GetOutput()->GetNumberOfCells(), 0, "no lines then");
 }
 
-void CheckProgressAndAbort(Check& check)
-{
-  vtkNew<vtkGeodesicContour> filter;
-  SetUp(filter, Square(150), PointSources({ { 0.31, 0.42, 0 } }), {});
-  // So many lines that drawing them takes many of the fiftieths of a second between reports.
-  filter->GenerateValues(200, 0.003, 0.6);
-  std::vector<double> progress;
-  Listener listener(
-    filter, vtkCommand::ProgressEvent, [&] { progress.push_back(filter->GetProgress()); });
-  filter->Update();
-  check.That(std::is_sorted(progress.begin(), progress.end()), "progress never falls");
-  double largestStep = 0.0;
-  for (std::size_t i = 1; i < progress.size(); ++i)
-  {
-    largestStep = std::max(largestStep, progress[i] - progress[i - 1]);
-  }
-  check.That(progress.size() > 20 && largestStep <= 0.2,
-    "progress comes in steps of " + std::to_string(largestStep));
-  for (const double when : { 0.1, 0.5, 0.8 })
-  {
-    vtkNew<vtkGeodesicContour> aborted;
-    SetUp(aborted, Square(150), PointSources({ { 0.31, 0.42, 0 } }), { 0.1, 0.3, 0.5 });
-    Listener stop(aborted, vtkCommand::ProgressEvent,
-      [&]
-      {
-        if (aborted->GetProgress() >= when)
-        {
-          aborted->SetAbortExecute(1);
-        }
-      });
-    aborted->Update();
-    check.That(aborted->GetOutput()->GetNumberOfPoints() == 0, "an aborted output is empty");
-  }
-}
-
-void CheckThreads(Check& check)
-{
-  std::vector<vtkSmartPointer<vtkPolyData>> outputs;
-  for (const int threads : { 1, 3 })
-  {
-    vtkSMPTools::Initialize(threads);
-    vtkNew<vtkGeodesicContour> filter;
-    SetUp(filter, Square(60), Polyline({ { 0.3, 0.3, 0 }, { 0.5, 0.6, 0 } }), { 0.1, 0.2, 0.3 });
-    filter->Update();
-    outputs.emplace_back(filter->GetOutput());
-  }
-  vtkSMPTools::Initialize();
-  const bool isSame =
-    outputs[0]->GetNumberOfPoints() > 0 && PlacesOf(outputs[0]) == PlacesOf(outputs[1]);
-  check.That(isSame, "the same points on threads");
-}
-
 }
 
 int TestGeodesicContour(int, char*[])
@@ -383,11 +313,8 @@ int TestGeodesicContour(int, char*[])
   CheckLineIds(check);
   CheckBoundary(check);
   CheckComposite(check);
-  CheckScale(check);
   CheckBadProperties(check);
   CheckDirectionWarning(check);
   CheckSigned(check);
-  CheckProgressAndAbort(check);
-  CheckThreads(check);
   return check.Result();
 }

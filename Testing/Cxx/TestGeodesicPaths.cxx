@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shortest paths from targets: ports and arrays, truth on planes, composite and boundary sources,
-// threads, progress, abort, and what is wrong with the input.
+// and what is wrong with the input.
 #include "GeodesicTesting.h"
 
 #include "vtkCellData.h"
@@ -9,10 +9,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkSMPTools.h"
 #include "vtkTable.h"
-
-#include <cstring>
 
 using namespace GeodesicTesting;
 
@@ -172,144 +169,12 @@ void CheckVertexBeforeFace(Check& check)
   }
 }
 
-void CheckScales(Check& check)
-{
-  const auto run = [](double scale)
-  {
-    const auto scaled = ScaledBy(scale);
-    auto surface = ChangedSphere(20, 16, scaled);
-    auto source = PointSources({ scaled({ 0.3, 0.3, 0.2 }) });
-    auto targets = PointSources({ scaled({ -0.3, 0.1, 0.2 }), scaled({ 0.1, -0.4, 0.0 }) });
-    const auto filter = FilterOn<vtkGeodesicPaths>(surface, source);
-    filter->SetTargetsData(targets);
-    filter->Update();
-    vtkSmartPointer<vtkPolyData> output = filter->GetOutput();
-    return output;
-  };
-  const auto ordinary = run(1.0);
-  for (const double scale : { std::ldexp(1.0, 400), std::ldexp(1.0, -400) })
-  {
-    const auto output = run(scale);
-    check.Equal(output->GetNumberOfPoints(), ordinary->GetNumberOfPoints(), "points at a scale");
-    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-    {
-      const Point p = PointAt(output, i);
-      const Point q = PointAt(ordinary, i);
-      check.That(
-        p == Point{ q[0] * scale, q[1] * scale, q[2] * scale }, "the same place at a scale");
-      check.Equal(output->GetPointData()->GetScalars()->GetTuple1(i) / scale,
-        ordinary->GetPointData()->GetScalars()->GetTuple1(i), "what is left at a scale");
-    }
-  }
-}
-
-vtkSmartPointer<vtkPolyData> Cloud()
-{
-  std::vector<Point> points;
-  for (int i = 0; i < 400; ++i)
-  {
-    points.push_back({ std::sin(1.7 * i), std::cos(2.9 * i), std::sin(0.3 * i + 1.0) });
-  }
-  return PointSources(points);
-}
-
-void SetUpBumpy(vtkGeodesicPaths* filter)
-{
-  filter->SetInputData(WavySphere(120, 80));
-  filter->SetSourceData(Polyline({ { 0.4, 0.1, 0.2 }, { 0.1, 0.3, 0.3 }, { -0.3, 0.2, 0.1 } }));
-  filter->SetTargetsData(Cloud());
-}
-
-void CheckThreads(Check& check)
-{
-  const auto run = []()
-  {
-    vtkNew<vtkGeodesicPaths> filter;
-    SetUpBumpy(filter);
-    filter->Update();
-    vtkSmartPointer<vtkPolyData> output = filter->GetOutput();
-    return output;
-  };
-  vtkSMPTools::SetBackend("Sequential");
-  const auto alone = run();
-  check.Equal(alone->GetNumberOfLines(), 400, "all targets are reached");
-  int backends = 0;
-  for (const char* backend : { "STDThread", "TBB", "OpenMP" })
-  {
-    if (!vtkSMPTools::SetBackend(backend))
-    {
-      continue;
-    }
-    ++backends;
-    vtkSMPTools::Initialize(3);
-    const auto several = run();
-    check.That(AreSame(alone->GetPoints()->GetData(), several->GetPoints()->GetData()) &&
-        AreSame(alone->GetPointData()->GetScalars(), several->GetPointData()->GetScalars()) &&
-        AreSame(
-          alone->GetCellData()->GetArray("SourceId"), several->GetCellData()->GetArray("SourceId")),
-      std::string("the same bits on several threads, ") + backend);
-  }
-  check.That(backends > 0, "there are threads to test with");
-  vtkSMPTools::SetBackend("Sequential");
-}
-
-/// At vertices, paths are as long as the field of vtkGeodesicDistanceField says.
-void CheckAgainstField(Check& check)
-{
-  vtkNew<vtkGeodesicPaths> paths;
-  SetUpBumpy(paths);
-  paths->SetTargetsData(WavySphere(120, 80));
-  paths->Update();
-  const auto field = RefinedField(WavySphere(120, 80), paths->GetInputDataObject(1, 0));
-  field->SetRefineMesh(false);
-  field->Update();
-  vtkPolyData* output = paths->GetOutput();
-  check.Equal(
-    output->GetNumberOfLines(), Distances(field)->GetNumberOfTuples(), "a path from each vertex");
-  const double largest = Distances(field)->GetRange()[1];
-  for (vtkIdType i = 0; i < output->GetNumberOfLines(); ++i)
-  {
-    check.Near(CellValue(output, "GeodesicDistance", i), Distances(field)->GetTuple1(i),
-      1e-12 * largest, "as long as the distance");
-  }
-}
-
 void CheckEmpty(Check& check, vtkGeodesicPaths* filter, const std::string& what)
 {
   check.That(filter->GetOutput()->GetNumberOfPoints() == 0 &&
       filter->GetOutput()->GetNumberOfCells() == 0 &&
       filter->GetOutput()->GetCellData()->GetNumberOfArrays() == 0,
     what + " leaves the output empty");
-}
-
-void CheckProgressAndAbort(Check& check)
-{
-  for (const double fraction : { 2.0, 0.1, 0.27, 0.4, 0.8, 0.96 })
-  {
-    vtkNew<vtkGeodesicPaths> filter;
-    SetUpBumpy(filter);
-    std::vector<double> progress;
-    Listener listener(filter, vtkCommand::ProgressEvent,
-      [&]()
-      {
-        progress.push_back(filter->GetProgress());
-        filter->SetAbortExecute(progress.back() >= fraction ? 1 : 0);
-      });
-    Messages messages(filter);
-    messages.Update();
-    check.That(std::is_sorted(progress.begin(), progress.end()), "progress never falls");
-    check.That(messages.Error().empty(), "no error at " + std::to_string(fraction));
-    if (fraction < 1.0)
-    {
-      // The first report beyond asks to stop; the executive adds its own at the end.
-      const auto first = std::find_if(
-        progress.begin(), progress.end(), [&](double done) { return done >= fraction; });
-      check.That(first != progress.end() &&
-          std::all_of(first + 1, progress.end(), [](double done) { return done == 1.0; }),
-        "nothing is done after " + std::to_string(fraction));
-      CheckEmpty(check, filter, "abort at " + std::to_string(fraction));
-    }
-  }
 }
 
 /// Targets that cannot be used.
@@ -356,10 +221,6 @@ int TestGeodesicPaths(int, char*[])
   CheckIds(check);
   CheckCompositeSurfaceAndUnreached(check);
   CheckVertexBeforeFace(check);
-  CheckScales(check);
-  CheckThreads(check);
-  CheckAgainstField(check);
-  CheckProgressAndAbort(check);
   CheckBadInput(check);
   return check.Result();
 }

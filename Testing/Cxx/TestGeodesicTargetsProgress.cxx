@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paths and matrices report progress, which never stands still and never falls, on a surface of a
-// million triangles too, and answer abort at once.
+// Lines, paths and matrices report progress, which never stands still and never falls, on a surface
+// of a million triangles too, and answer abort at once.
 #include "ProgressTesting.h"
 
+#include "vtkGeodesicContour.h"
 #include "vtkGeodesicDistanceMatrix.h"
 #include "vtkGeodesicPaths.h"
 #include "vtkSMPTools.h"
@@ -40,6 +41,15 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeMatrix(vtkPolyData* surface)
   return matrix;
 }
 
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeContour(vtkPolyData* surface)
+{
+  auto contour = vtkSmartPointer<vtkGeodesicContour>::New();
+  contour->SetInputData(surface);
+  contour->SetSourceData(PointSources({ { 0.31, 0.42, 0 } }));
+  contour->GenerateValues(200, 0.003, 0.6); // so many lines that drawing them takes time
+  return contour;
+}
+
 void CheckAbortAt(
   Check& check, const std::string& what, double fraction, vtkGeodesicAlgorithm* filter)
 {
@@ -57,6 +67,12 @@ int TestGeodesicTargetsProgress(int, char*[])
   vtkSMPTools::SetBackend("Sequential"); // one thread's processor time counts
   Check check;
   const auto million = NoisySquare(720);
+  const auto smaller = NoisySquare(200);
+  CheckNeverStill(check, "lines", [&] { return MakeContour(smaller); });
+  for (const double fraction : { 0.1, 0.5, 0.8 })
+  {
+    CheckAbortAt(check, "lines", fraction, MakeContour(smaller));
+  }
   CheckNeverStill(check, "paths", [&] { return MakePaths(million); });
   CheckNeverStill(check, "a matrix", [&] { return MakeMatrix(million); });
   // So large that a report, which comes every 20 ms, is a small part of a run.

@@ -57,12 +57,6 @@ def plane(resolution=(24, 18), origin=(0, 0, 0)):
     return source
 
 
-def tube(height=2.0):
-    """An open tube of triangles around the y axis, flat on each of its 12 sides."""
-    prism = simple.Cylinder(Resolution=12, Height=height, Capping=0)
-    return simple.Subdivide(Input=simple.Triangulate(Input=prism), NumberofSubdivisions=3)
-
-
 def polyline(points, closed=False):
     return simple.PolyLineSource(Points=[x for point in points for x in point], Closed=int(closed))
 

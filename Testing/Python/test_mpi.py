@@ -402,30 +402,9 @@ def written_and_read():
                       rtol=0, atol=ROUNDED), "a surface that was read in pieces is one")
 
 
-def errors():
-    sphere = simple.Sphere(ThetaResolution=12, PhiResolution=8)
-    spoilt = simple.ProgrammableFilter(Input=sphere)
-    spoilt.OutputDataSetType = "vtkPolyData"
-    spoilt.Script = """
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
-ranks = vtkMultiProcessController.GetGlobalController()
-output.VTKObject.DeepCopy(self.GetInputDataObject(0, 0))
-if ranks.GetLocalProcessId() == ranks.GetNumberOfProcesses() - 1:
-    output.VTKObject.GetPoints().SetPoint(3, float("nan"), 0, 0)
-"""
-    producer, _ = point_cloud([(0.5, 0, 0)])
-    field = GeodesicDistanceField(Input=spoilt, Source=producer, RefineMesh=0)
-    with messages() as window:
-        field.UpdatePipeline()
-    said = window.GetOutput()
-    check("NaN" in said and "at point 3" in said, f"all ranks say what one has: {said!r}")
-    output = field.GetClientSideObject().GetOutputDataObject(0)
-    check(output.GetNumberOfPoints() == 0, "and none has a field")
-
-
 try:
     for case in (real_meshes, curve_across_seams, generated_surfaces, all_filters_over_seams,
-                 surfaces_that_are_grids, ghosts_and_empty_ranks, written_and_read, errors):
+                 surfaces_that_are_grids, ghosts_and_empty_ranks, written_and_read):
         case()
         controller.Barrier()
         if RANK == 0:

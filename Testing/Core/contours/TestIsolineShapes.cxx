@@ -161,87 +161,6 @@ TEST(Isolines, SmallerThanTheToleranceHaveThreeCornersAtLeast)
   EXPECT_GE(isolines.lines[0].points.size(), 4U);
 }
 
-TEST(Isolines, RoundASegmentAreStadiums)
-{
-  const TriangleMesh mesh = engineMesh(oneFace());
-  Sources source;
-  source.segments = { { 0, inOneFace(1.0, 0.8).weights, inOneFace(1.5, 1.0).weights } };
-  const double segment = std::hypot(0.5, 0.2);
-  const std::vector<double> values = { 0.001, 0.2, 0.3 };
-  const Isolines isolines = isolinesOf(mesh, engineCurves(mesh, source), values, 1e-6);
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    EXPECT_TRUE(countLines(isolines, i) == (LineCount{ 0, 1 }));
-    expectArcs(
-      totalLength(mesh, isolines, i), 2.0 * Pi * values[i], 2.0 * segment, values[i], 1e-6);
-  }
-}
-
-TEST(Isolines, InsideOneFaceAreClosedRoundItsRidges)
-{
-  const TriangleMesh mesh = engineMesh(oneFace());
-  const std::vector<double> values = { 0.25, 0.5, 0.999, 1.001 };
-  const Isolines isolines =
-    isolinesOf(mesh, engineCurves(mesh, boundarySources(mesh)), values, 1e-6);
-  ASSERT_EQ(isolines.lines.size(), 3U);
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    // A triangle of the same shape, with its corners where two sides are equally near.
-    EXPECT_TRUE(isolines.lines[i].isClosed());
-    EXPECT_EQ(isolines.lines[i].points.size(), 4U);
-    EXPECT_NEAR(lengthOf(mesh, isolines, i), 12.0 * (1.0 - values[i]), 1e-11);
-  }
-}
-
-TEST(Isolines, OfAClosedCurveInAFaceAreOnBothSidesOfIt)
-{
-  const TriangleMesh mesh = engineMesh(oneFace());
-  const Polyline square = squareInOneFace();
-  const Isolines isolines = isolinesOf(
-    mesh, engineCurves(mesh, std::vector<Polyline>{ square }), { 0.1, 0.25, 0.31 }, 1e-7);
-  for (const auto& [value, v] : { std::make_pair(0, 0.1), std::make_pair(1, 0.25) })
-  {
-    EXPECT_TRUE(countLines(isolines, static_cast<std::size_t>(value)) == (LineCount{ 0, 2 }));
-    expectArcs(totalLength(mesh, isolines, static_cast<std::size_t>(value)), 2.0 * Pi * v,
-      4.0 * 0.6 + 4.0 * (0.6 - 2.0 * v), v, 1e-7);
-  }
-  EXPECT_TRUE(countLines(isolines, 2) == (LineCount{ 0, 1 }));
-}
-
-TEST(Isolines, OnAPrismAreThoseOfTheUnrolledStrip)
-{
-  const Index sides = 9;
-  const PlainMesh plain = openCylinder(sides, 8, 8.0);
-  const TriangleMesh mesh = engineMesh(plain);
-  // The lines around the prism are straight, at equal heights over the lower rim and below the
-  // upper.
-  const std::vector<double> heights = { 0.7, 3.0, 3.9 };
-  const Isolines rings = isolinesOf(mesh, engineCurves(mesh, boundarySources(mesh)), heights, 1e-6);
-  for (std::size_t i = 0; i < heights.size(); ++i)
-  {
-    EXPECT_TRUE(countLines(rings, i) == (LineCount{ 0, 2 }));
-    EXPECT_NEAR(totalLength(mesh, rings, i), 2.0 * sides, 1e-10);
-  }
-}
-
-TEST(Isolines, RoundTheApexOfAConeSpanItsAngle)
-{
-  for (const Index sectors : { 4U, 6U, 10U })
-  {
-    const double angle = 0.8;
-    const PlainMesh plain = fan(sectors, angle, 6);
-    const TriangleMesh mesh = engineMesh(plain);
-    const std::vector<double> values = { 0.05, 0.5, 0.9 };
-    const geodesic::SourceCurve apex = geodesic::pointCurve(SurfacePoint::atVertex(0));
-    const Isolines isolines = isolinesOf(mesh, { apex }, values, 1e-6);
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      EXPECT_TRUE(countLines(isolines, i) == (LineCount{ 0, 1 }));
-      expectArcs(totalLength(mesh, isolines, i), sectors * angle * values[i], 0.0, values[i], 1e-6);
-    }
-  }
-}
-
 TEST(Isolines, AtTheExactDistancesOfVerticesPassThemOnOneSide)
 {
   const TriangleMesh mesh = engineMesh(regularGrid(8, 6));
@@ -298,23 +217,6 @@ TEST(Isolines, EndInSharedPointsWhereSeveralPagesMeet)
     ends.insert({ line.points.front(), line.points.back() });
   }
   EXPECT_EQ(ends.size(), 2U);
-}
-
-TEST(Isolines, OfSeveralValuesAreThoseOfEachAlone)
-{
-  Random random(5);
-  const PlainMesh plain = bumpySheet(9, 9, 2, 0.4, random);
-  const TriangleMesh mesh = engineMesh(plain);
-  const std::vector<geodesic::SourceCurve> curves =
-    engineCurves(mesh, CurveMaker(plain, random).anySource());
-  const std::vector<double> values = { 0.3, 1.1, 1.9, 2.7 };
-  const Isolines together = isolinesOf(mesh, curves, values, 1e-3);
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    const Isolines alone = isolinesOf(mesh, curves, { values[i] }, 1e-3);
-    EXPECT_TRUE(countLines(alone, 0) == countLines(together, i));
-    EXPECT_NEAR(totalLength(mesh, alone, 0), totalLength(mesh, together, i), 1e-10);
-  }
 }
 
 TEST(Isolines, BeyondTheLargestDistanceAndOnOtherComponentsAreNone)

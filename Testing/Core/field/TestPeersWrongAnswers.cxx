@@ -11,7 +11,6 @@
 #include <cfloat>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 
 using namespace geodesictest;
@@ -51,24 +50,10 @@ std::vector<double> straightDistances(const PlainMesh& mesh, Index source)
   return result;
 }
 
-std::string scientific(double value)
-{
-  std::ostringstream text;
-  text << std::scientific << value;
-  return text.str();
-}
-
 void expectNear(
   const std::vector<double>& computed, const std::vector<double>& truth, const std::string& what)
 {
   EXPECT_LE(worstError(computed, truth, largestFinite(truth)), EngineAccuracy) << what;
-}
-
-void expectBruteForce(const PlainMesh& mesh, Index source, const std::string& what)
-{
-  Sources sources;
-  sources.points = { vertexPoint(mesh, source) };
-  expectNear(vertexDistances(mesh, source), bruteForceDistances(mesh, sources).vertices, what);
 }
 
 /// The place of a regular grid of n x n cells at these coordinates.
@@ -98,29 +83,6 @@ std::string meshErrorOf(const PlainMesh& mesh)
   return "";
 }
 
-}
-
-TEST(PeersWrongAnswers, TiesOnARegularGridLoseNoVertex)
-{
-  const PlainMesh grid = regularGrid(64, 64);
-  for (Index source : { 0u, 64u, 32u * 65u + 32u, 10u * 65u + 55u })
-  {
-    expectNear(vertexDistances(grid, source), straightDistances(grid, source),
-      "from vertex " + std::to_string(source));
-  }
-}
-
-TEST(PeersWrongAnswers, TiesOnAnOctasphereLoseNoVertex)
-{
-  for (Index n : { 1u, 2u, 4u, 8u, 12u })
-  {
-    const PlainMesh sphere = octasphere(n);
-    // A pole, a point of an octant's edge, a point inside an octant.
-    for (Index source : { 0u, 1u, static_cast<Index>(sphere.points.size() / 2) })
-    {
-      expectBruteForce(sphere, source, "octasphere of " + std::to_string(n));
-    }
-  }
 }
 
 TEST(PeersWrongAnswers, APolylineAcrossANonManifoldEdgeIsExactOnEveryPage)
@@ -210,66 +172,6 @@ TEST(PeersWrongAnswers, CoordinatesThatAreNotFiniteAreRefusedByName)
   }
 }
 
-TEST(PeersWrongAnswers, ASourceWithinRoundingOfAVertexIsAtThatVertex)
-{
-  const PlainMesh grid = regularGrid(6, 6);
-  const geodesic::TriangleMesh engine = engineMesh(grid);
-  const Index vertex = 24;
-  const std::vector<double> truth = straightDistances(grid, vertex);
-  for (Index f = 0; f < grid.triangles.size(); ++f)
-  {
-    for (Index k = 0; k < 3; ++k)
-    {
-      if (grid.triangles[f][k] != vertex)
-      {
-        continue;
-      }
-      for (double off : { 1e-17, 1e-16, 1e-14, 1e-11 })
-      {
-        Barycentric inside = { off, off, off };
-        inside[k] = 1.0 - 2.0 * off;
-        const std::vector<double> distances = geodesic::solve(
-          engine, { geodesic::pointCurve(geodesic::SurfacePoint::inFace(f, inside[1], inside[2])) })
-                                                .vertexDistances();
-        expectNear(distances, truth, "in a face, off by " + scientific(off));
-        const std::vector<double> onEdge = geodesic::solve(
-          engine, { geodesic::pointCurve(geodesic::SurfacePoint::onEdge(3 * f + k, off)) })
-                                             .vertexDistances();
-        expectNear(onEdge, truth, "on an edge, off by " + scientific(off));
-      }
-    }
-  }
-}
-
-TEST(PeersWrongAnswers, ASourceWithinRoundingOfAnEdgeShinesToBothSides)
-{
-  const PlainMesh grid = regularGrid(6, 6);
-  const geodesic::TriangleMesh engine = engineMesh(grid);
-  for (Index f : { 20u, 21u, 35u, 36u })
-  {
-    for (Index k = 0; k < 3; ++k)
-    {
-      for (double off : { 1e-18, 1e-17, 1e-15, 1e-12, 1e-11 })
-      {
-        Barycentric w{};
-        w[k] = 0.7;
-        w[(k + 1) % 3] = 0.3;
-        w[(k + 2) % 3] = off;
-        const Vec3 s = position(grid, { f, w });
-        std::vector<double> truth;
-        for (const Vec3& p : grid.points)
-        {
-          truth.push_back(std::hypot(p[0] - s[0], p[1] - s[1]));
-        }
-        const std::vector<double> distances = geodesic::solve(
-          engine, { geodesic::pointCurve(geodesic::SurfacePoint::inFace(f, w[1], w[2])) })
-                                                .vertexDistances();
-        expectNear(distances, truth, "off by " + scientific(off));
-      }
-    }
-  }
-}
-
 TEST(PeersWrongAnswers, NoRayIsMissingBetweenThePencilsOfAPolylinesEnd)
 {
   // Queries close to the border between the parallel rays of a segment and the circular rays of its
@@ -314,25 +216,6 @@ TEST(PeersWrongAnswers, NoRayIsMissingBetweenThePencilsOfAPolylinesEnd)
       EXPECT_LE(worstError(result.queries, truth, n), EngineAccuracy)
         << "halfedge " << k << ", off by " << off;
     }
-  }
-}
-
-TEST(PeersWrongAnswers, AQueryWithinRoundingOfAVertexHasThatVertexsDistance)
-{
-  Random random(12);
-  const PlainMesh mesh = bumpySheet(8, 8, 0, 0.5, random);
-  const MeshPoint source = randomFacePoint(mesh, random);
-  std::vector<MeshPoint> queries;
-  for (Index f = 0; f < mesh.triangles.size(); ++f)
-  {
-    queries.push_back({ f, { 1.0, 1e-17, 1e-17 } });
-  }
-  Sources sources;
-  sources.points = { source };
-  const EngineResult result = engineDistances(mesh, sources, queries);
-  for (Index f = 0; f < mesh.triangles.size(); ++f)
-  {
-    EXPECT_NEAR(result.queries[f], result.vertices[mesh.triangles[f][0]], 1e-12) << "face " << f;
   }
 }
 

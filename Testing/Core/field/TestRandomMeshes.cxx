@@ -21,6 +21,7 @@ namespace
 constexpr std::uint64_t FixedMeshesOfAKind = meshesOfAKind(50);
 constexpr std::uint64_t FreshMeshesOfAKind = meshesOfAKind(10);
 constexpr std::uint64_t MeshesWithPointsBesideVertices = meshesOfAKind(20);
+constexpr std::uint64_t MeshesInAnotherOrder = meshesOfAKind(10);
 constexpr std::size_t NumberOfQueries = 80;
 
 class RandomMeshes : public ::testing::TestWithParam<MeshKind>
@@ -92,6 +93,35 @@ TEST_P(RandomMeshes, PointsBesideVerticesAgreeWithBruteForce)
     place.weights[k] = 1.0 - place.weights[(k + 1) % 3] - place.weights[(k + 2) % 3];
     theCase.curves.push_back(maker.point(place));
     theCase.queries = randomPoints(theCase.mesh, NumberOfQueries, random);
+    theCase.truth = bruteForceDistances(theCase.mesh, toSources(theCase.curves), theCase.queries);
+    this->compare(seed, theCase);
+  }
+  this->report();
+}
+
+// Asked on the sources, too, where the distance is 0.
+TEST_P(RandomMeshes, InAnotherOrderAndTurnedFaceByFaceAgreeWithBruteForce)
+{
+  for (std::uint64_t seed = 0; seed < MeshesInAnotherOrder; ++seed)
+  {
+    Random random(seed + 32000);
+    const PlainMesh mesh = GetParam().make(random.between(20, 200), random);
+    RandomCase theCase{ withFlippedFaces(renumbered(mesh, random).mesh, random), {}, {}, {} };
+    theCase.curves = CurveMaker(theCase.mesh, random).anySource();
+    theCase.queries = randomPoints(theCase.mesh, NumberOfQueries, random);
+    for (const Polyline& curve : theCase.curves)
+    {
+      for (const MeshSegment& segment : curve.segments)
+      {
+        MeshPoint middle = { segment.face, segment.to };
+        theCase.queries.push_back(middle);
+        for (Index k = 0; k < 3; ++k)
+        {
+          middle.weights[k] = 0.5 * (segment.from[k] + segment.to[k]);
+        }
+        theCase.queries.push_back(middle);
+      }
+    }
     theCase.truth = bruteForceDistances(theCase.mesh, toSources(theCase.curves), theCase.queries);
     this->compare(seed, theCase);
   }

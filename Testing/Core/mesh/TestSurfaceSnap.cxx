@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A point in space goes from the closest point of its face, which TestSourceCurve asks for, onto a
-// vertex or an edge within its precision.
+// A point in space goes from the closest point of its face, which PlacesBesideSurface asks for,
+// onto a vertex or an edge within its precision.
 #include "EngineSupport.h"
 
 #include "mesh/SurfaceSnap.h"

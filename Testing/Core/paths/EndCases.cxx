@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <tuple>
 
 namespace geodesictest
 {
@@ -73,6 +75,7 @@ enum At : int
 EndCase aPoint(Random& random, double at)
 {
   PlainMesh plain = moved(randomPlanar(9, 7, random), random);
+  plain = at != OnBoundary && random.chance(0.5) ? withFlippedFaces(plain, random) : plain;
   std::set<Index> boundary;
   for (const auto& [a, b] : boundaryEdges(plain))
   {
@@ -398,6 +401,209 @@ EndCase anApex(Random& random, double angle)
   return c;
 }
 
+/// Curves along spokes of a cone or a saddle, which begin or end at its apex or pass it.
+class Spokes
+{
+public:
+  struct Spoke
+  {
+    Index sector;
+    bool isForward;
+    Index source;
+    /// Along the source.
+    double arcLengthAtApex;
+  };
+
+  Spokes(double angle, std::vector<Spoke> spokes)
+    : angle_(angle)
+    , plain_(fan(Sectors, angle, Rings))
+    , spokes_(std::move(spokes))
+  {
+  }
+
+  const PlainMesh& mesh() const { return this->plain_; }
+
+  Polyline line(const Spoke& spoke) const
+  {
+    std::map<double, Index> byRadius = { { 0.0, 0 } };
+    for (Index vertex = 1; vertex < this->plain_.points.size(); ++vertex)
+    {
+      const Polar p = this->polar(vertexPoint(this->plain_, vertex));
+      if (this->turn(spoke, p) < 1e-9 || this->turn(spoke, p) > Sectors * this->angle_ - 1e-9)
+      {
+        byRadius[p.radius] = vertex;
+      }
+    }
+    std::vector<Index> vertices;
+    for (const auto& [radius, vertex] : byRadius)
+    {
+      vertices.push_back(vertex);
+    }
+    if (!spoke.isForward)
+    {
+      std::reverse(vertices.begin(), vertices.end());
+    }
+    return lineAlong(this->plain_, vertices);
+  }
+
+  /// A spoke is a border of the sector on each of its sides, which unfolds into the plane.
+  std::vector<TrueEnd> endsOf(const MeshPoint& query) const
+  {
+    const Polar p = this->polar(query);
+    const auto isBefore = [&](const Spoke& a, const Spoke& b)
+    { return this->turn(a, p) < this->turn(b, p); };
+    const Spoke& before = *std::min_element(this->spokes_.begin(), this->spokes_.end(), isBefore);
+    const Spoke& behind = *std::max_element(this->spokes_.begin(), this->spokes_.end(), isBefore);
+    const double turn = this->turn(before, p);
+    const double back = Sectors * this->angle_ - this->turn(behind, p);
+    std::vector<TrueEnd> ends;
+    for (const auto& [spoke, away, side] :
+      { std::tuple(&before, turn, 0.5 * Pi), std::tuple(&behind, back, -0.5 * Pi) })
+    {
+      if (std::abs(away - 0.5 * Pi) < 1e-9 || p.radius * away < ShortPath)
+      {
+        return {};
+      }
+      const double sign = spoke->isForward ? 1.0 : -1.0;
+      if (away < 0.5 * Pi)
+      {
+        ends.push_back({ spoke->source, p.radius * std::sin(away),
+          spoke->arcLengthAtApex + sign * p.radius * std::cos(away), sign * side, 0.0, true });
+      }
+    }
+    if (ends.empty() && before.source != behind.source && std::abs(turn - back) < 1e-9)
+    {
+      return {};
+    }
+    if (ends.empty())
+    {
+      ends.push_back(this->endAtApex(before, behind, turn, back));
+      ends.back().length = p.radius;
+    }
+    const auto least = std::min_element(ends.begin(), ends.end(),
+      [](const TrueEnd& a, const TrueEnd& b) { return a.length < b.length; });
+    const double longest = least->length + 1e-9;
+    ends.erase(std::remove_if(ends.begin(), ends.end(),
+                 [&](const TrueEnd& end) { return end.length > longest; }),
+      ends.end());
+    return ends;
+  }
+
+private:
+  static constexpr Index Sectors = 8;
+  static constexpr Index Rings = 5;
+
+  Polar polar(const MeshPoint& p) const
+  {
+    return fanCoordinates(Sectors, this->angle_, Rings, this->plain_, p);
+  }
+  /// Counterclockwise, in [0, total).
+  double turn(const Spoke& from, const Polar& to) const
+  {
+    const double total = Sectors * this->angle_;
+    const double turn = to.angle - from.sector * this->angle_;
+    return turn - total * std::floor(turn / total);
+  }
+  /// Between spokes of one curve angles are scaled; else they count from the nearer spoke.
+  static TrueEnd endAtApex(const Spoke& before, const Spoke& behind, double turn, double back)
+  {
+    const double first = before.isForward ? 0.0 : -Pi;
+    if (before.source == behind.source)
+    {
+      const double scaled = &before == &behind ? 2.0 * Pi : Pi;
+      return { before.source, 0.0, before.arcLengthAtApex, first + turn * scaled / (turn + back) };
+    }
+    return turn < back
+      ? TrueEnd{ before.source, 0.0, before.arcLengthAtApex, first + turn }
+      : TrueEnd{ behind.source, 0.0, behind.arcLengthAtApex, (behind.isForward ? 0.0 : Pi) - back };
+  }
+
+  double angle_;
+  PlainMesh plain_;
+  std::vector<Spoke> spokes_;
+};
+
+EndCase alongSpokes(const Spokes& spokes, std::vector<Polyline> sources, Random& random)
+{
+  return { spokes.mesh(), std::move(sources), manyPoints(spokes.mesh(), 200, random),
+    [spokes](const MeshPoint& query, const std::vector<PlainFrame>&)
+    { return spokes.endsOf(query); } };
+}
+
+EndCase aCurveToAnApex(Random& random, double angle)
+{
+  const Spokes::Spoke spoke = { 2, false, 0, 1.0 };
+  const Spokes spokes(angle, { spoke });
+  return alongSpokes(spokes, { spokes.line(spoke) }, random);
+}
+
+EndCase aCurveThroughAnApex(Random& random, double angle)
+{
+  const std::vector<Spokes::Spoke> parts = { { 1, false, 0, 1.0 }, { 4, true, 0, 1.0 } };
+  const Spokes spokes(angle, parts);
+  Polyline line = spokes.line(parts[0]);
+  const Polyline onward = spokes.line(parts[1]);
+  line.segments.insert(line.segments.end(), onward.segments.begin(), onward.segments.end());
+  return alongSpokes(spokes, { line }, random);
+}
+
+EndCase curvesThatMeetInAnApex(Random& random, double angle)
+{
+  const std::vector<Spokes::Spoke> parts = { { 0, true, 0, 0.0 }, { 3, false, 1, 1.0 },
+    { 6, true, 2, 0.0 } };
+  const Spokes spokes(angle, parts);
+  return alongSpokes(
+    spokes, { spokes.line(parts[0]), spokes.line(parts[1]), spokes.line(parts[2]) }, random);
+}
+
+/// Two sheets share a corner: the angles of the second one follow those of the first.
+EndCase aPointOfTwoSheets(Random& random, double)
+{
+  const PlainMesh second = regularGrid(4, 5);
+  EndCase c{ joinedAtVertex(
+               regularGrid(6, 5), 0, second, static_cast<Index>(second.points.size() - 1)),
+    {}, {}, {} };
+  c.sources = { pointLine(vertexPoint(c.mesh, 0)) };
+  c.queries = manyPoints(c.mesh, 200, random);
+  c.endsOf = [plain = c.mesh](const MeshPoint& query, const std::vector<PlainFrame>&)
+  {
+    const Vec3 p = position(plain, query);
+    const double angle = std::atan2(p[1], p[0]);
+    const double length = std::hypot(p[0], p[1]);
+    return length < ShortPath
+      ? std::vector<TrueEnd>()
+      : std::vector<TrueEnd>{ { 0, length, 0.0,
+          angle < -1e-12 || angle > 3.0 ? 0.5 * Pi + std::remainder(angle - Pi, 2.0 * Pi)
+                                        : angle } };
+  };
+  return c;
+}
+
+/// Where pages meet: all but the first of them continue the first one.
+EndCase aPointOnASpine(Random& random, double)
+{
+  EndCase c{ book(3, 4, 3, 0.0, random), {}, {}, {} };
+  const MeshPoint source = { 0, { 0.4, 0.6, 0.0 } };
+  c.sources = { pointLine(source) };
+  c.queries = manyPoints(c.mesh, 200, random);
+  const Vec3& third = c.mesh.points[c.mesh.triangles[0][2]];
+  const double height = position(c.mesh, source)[2];
+  c.endsOf = [plain = c.mesh, third, height](
+               const MeshPoint& query, const std::vector<PlainFrame>& frames)
+  {
+    const Vec3 p = position(plain, query);
+    const double away = std::hypot(p[0], p[1]);
+    const double toThird = std::hypot(third[0], third[1]);
+    const bool isOnFirst = p[0] * third[0] + p[1] * third[1] > (1.0 - 1e-9) * away * toThird;
+    const double x = (isOnFirst ? away : -away) / toThird;
+    const Vec3 to = { x * third[0], x * third[1], p[2] - height };
+    const double length = std::hypot(away, to[2]);
+    return length < ShortPath ? std::vector<TrueEnd>()
+                              : std::vector<TrueEnd>{ { 0, length, 0.0, angleIn(frames[0], to) } };
+  };
+  return c;
+}
+
 /// Great circles; a sphere of many facets differs from the sphere by a fraction of its facets.
 EndCase aPole(Random& random, double facets)
 {
@@ -406,7 +612,7 @@ EndCase aPole(Random& random, double facets)
     [](const Vec3& a, const Vec3& b) { return a[2] < b[2]; });
   c.sources = { pointLine(vertexPoint(c.mesh, static_cast<Index>(pole - c.mesh.points.begin()))) };
   c.queries = manyPoints(c.mesh, 0, random);
-  c.accuracy = c.accuracyOfPath = 1.0 / facets;
+  c.accuracy = c.accuracyOfPath = c.accuracyOfDistance = 1.0 / facets;
   c.endsOf = [plain = c.mesh](const MeshPoint& query, const std::vector<PlainFrame>& frames)
   {
     const Vec3 p = position(plain, query);
@@ -573,6 +779,11 @@ const std::vector<EndConfiguration>& endConfigurations()
     { "Cylinder", aCylinder, { 3 + 4 * 12, 7 + 5 * 12, 2 }, 1, true },
     { "CurvesOnACylinder", aCurveOnACylinder, { 0.0, 1.0 }, 1, true },
     { "ApexOfAConeOrASaddle", anApex, { 0.3, 0.7, 0.9, 1.3 }, 1, true },
+    { "CurveToAnApex", aCurveToAnApex, { 0.3, 0.7, 0.9, 1.3 }, 1, true },
+    { "CurveThroughAnApex", aCurveThroughAnApex, { 0.3, 0.7, 0.9, 1.3 }, 1, true },
+    { "CurvesThatMeetInAnApex", curvesThatMeetInAnApex, { 0.3, 0.7, 0.9, 1.3 }, 1, true },
+    { "PointOfTwoSheets", aPointOfTwoSheets, { 0.0 } },
+    { "PointOnASpine", aPointOnASpine, { 0.0 }, twenty },
     { "PoleOfASphere", aPole, { 8, 32 } },
     { "PointBesideAnApex", besideAnApex, besideForDevelopments, ten, true },
   };

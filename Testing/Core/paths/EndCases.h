@@ -27,6 +27,8 @@ struct EndCase
   double accuracy = 1e-11;
   /// Of a path as it is traced: its last piece has rounded ends.
   double accuracyOfPath = 1e-11;
+  /// Of distances.
+  double accuracyOfDistance = 2e-11;
   /// The least angle of a path.
   double leastAngle = -3.1415926535897936;
   /// Whether all of it lies in a plane, so that the truth has the places of ends.

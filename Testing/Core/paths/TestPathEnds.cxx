@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where on the source shortest paths end, on which side, and at which angle they leave it: the feet
-// that the field finds, the ends of traced paths, and the field of several ranks, each compared
-// with the closed forms of one table (EndCases).
+// How far the source is, where on it shortest paths end, on which side, and at which angle they
+// leave it: the feet that the field finds, the ends of traced paths, and the field of several
+// ranks, each compared with the closed forms of one table (EndCases).
 #include "EngineSupport.h"
 #include "RanksSupport.h"
 #include "paths/EndCases.h"
@@ -133,7 +133,9 @@ TEST_P(PathEnds, OfTheFieldAreThoseInClosedForm)
           continue;
         }
         ++compared;
-        const Foot foot = s.footOf(geodesic::normalized(s.mesh, enginePoint(s.mesh, query)));
+        const SurfacePoint target = geodesic::normalized(s.mesh, enginePoint(s.mesh, query));
+        EXPECT_NEAR(s.field.distance(target), ends.front().length, c.accuracyOfDistance);
+        const Foot foot = s.footOf(target);
         ASSERT_TRUE(foot.isKnown());
         const double angle = s.nearest.angleOf(foot);
         worst = std::max(worst,

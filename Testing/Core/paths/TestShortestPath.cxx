@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shortest paths, traced, found in windows or between two points, compared with what holds for any
 // shortest path: its length is the true distance, each piece is in one face, it is straight across
-// edges, and it bends only at vertices where both sides have half a turn or more. The truth is a
-// closed form or comes from the plain mesh.
+// edges, and it bends only at vertices where both sides have half a turn or more. The truth comes
+// from the plain mesh.
 #include "EngineSupport.h"
 #include "Seeds.h"
 #include "paths/PathChecker.h"
@@ -38,63 +38,21 @@ struct Scene
   double slack;
 };
 
-/// A row of the table of scenes: in closed form, or a kind of random mesh.
-struct SceneKind
+/// \param ofOnePoint the source is one point; else it may be anything.
+Scene makeScene(const MeshKind& kind, Random& random, bool ofOnePoint)
 {
-  std::string name;
-  AnalyticCase (*analytic)(Random& random);
-  MeshKind random;
-
-  std::uint64_t seeds(std::uint64_t ofRandom) const
-  {
-    return this->analytic != nullptr ? 60 : meshesOfAKind(ofRandom);
-  }
-
-  /// \param ofOnePoint the source is one point; else it may be anything.
-  Scene make(Random& seeded, bool ofOnePoint) const
-  {
-    if (this->analytic != nullptr)
-    {
-      AnalyticCase c = this->analytic(seeded);
-      std::vector<Polyline> lines;
-      for (const MeshPoint& p : c.sources.points)
-      {
-        lines.push_back({ { { p.face, p.weights, p.weights } }, {} });
-      }
-      for (const MeshSegment& segment : c.sources.segments)
-      {
-        lines.push_back({ { segment }, {} });
-      }
-      return { std::move(c.mesh), std::move(lines), std::move(c.queries), std::move(c.queryTruth),
-        OrdinaryAccuracy * largestFinite(c.vertexTruth) };
-    }
-    Scene scene{ this->random.make(randomSize(seeded), seeded), {}, {}, {}, 0.0 };
-    CurveMaker maker(scene.mesh, seeded);
-    scene.lines = ofOnePoint ? std::vector<Polyline>{ maker.point() } : maker.anySource();
-    scene.queries = randomPoints(scene.mesh, 60, seeded);
-    const BruteForceResult truth =
-      bruteForceDistances(scene.mesh, toSources(scene.lines), scene.queries);
-    scene.truth = truth.queries;
-    scene.slack = accuracyOn(this->random) * largestFinite(truth.vertices);
-    return scene;
-  }
-};
-
-std::vector<SceneKind> sceneKinds()
-{
-  std::vector<SceneKind> kinds;
-  for (const AnalyticConfiguration& c : analyticConfigurations())
-  {
-    kinds.push_back({ std::string("ClosedForm") + c.name, c.make, {} });
-  }
-  for (const MeshKind& kind : meshKinds())
-  {
-    kinds.push_back({ kind.name, nullptr, kind });
-  }
-  return kinds;
+  Scene scene{ kind.make(randomSize(random), random), {}, {}, {}, 0.0 };
+  CurveMaker maker(scene.mesh, random);
+  scene.lines = ofOnePoint ? std::vector<Polyline>{ maker.point() } : maker.anySource();
+  scene.queries = randomPoints(scene.mesh, 60, random);
+  const BruteForceResult truth =
+    bruteForceDistances(scene.mesh, toSources(scene.lines), scene.queries);
+  scene.truth = truth.queries;
+  scene.slack = accuracyOn(kind) * largestFinite(truth.vertices);
+  return scene;
 }
 
-class ShortestPaths : public ::testing::TestWithParam<SceneKind>
+class ShortestPaths : public ::testing::TestWithParam<MeshKind>
 {
 protected:
   /// Checks find(scene, mesh, curves), the paths from the queries; none where it was not asked. The
@@ -146,14 +104,14 @@ constexpr char KindThatLosesMost[] = "ThinNeedles";
 TEST_P(ShortestPaths, ThatAreTracedEndOnTheCurveTheyName)
 {
   // More seeds where a path must be lost and found again: rounding decides which paths are.
-  const bool mustLose = GetParam().name == KindThatLosesMost;
-  const Seeds seeds = seedsOfTest(GetParam().seeds(20));
+  const bool mustLose = GetParam().name == std::string(KindThatLosesMost);
+  const Seeds seeds = seedsOfTest(meshesOfAKind(20));
   for (std::uint64_t seed = seeds.first;
        seed < seeds.end() || (mustLose && this->lost_ == 0 && seed < seeds.end() + 200); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + 77000);
-    const Scene scene = GetParam().make(random, false);
+    const Scene scene = makeScene(GetParam(), random, false);
     this->check(scene,
       [&](const TriangleMesh& engine, const std::vector<geodesic::SourceCurve>& curves)
       {
@@ -171,9 +129,9 @@ TEST_P(ShortestPaths, ThatAreTracedEndOnTheCurveTheyName)
 
 TEST_P(ShortestPaths, InWindowsEndOnTheSource)
 {
-  for (Random& random : EachSeed(GetParam().seeds(12), 52000))
+  for (Random& random : EachSeed(meshesOfAKind(12), 52000))
   {
-    const Scene scene = GetParam().make(random, false);
+    const Scene scene = makeScene(GetParam(), random, false);
     this->check(scene,
       [&](const TriangleMesh& engine, const std::vector<geodesic::SourceCurve>& curves)
       {
@@ -193,7 +151,7 @@ TEST_P(ShortestPaths, InStripsEndOnTheCurveTheyName)
 {
   for (Random& random : EachSeed(meshesOfAKind(10), 78000))
   {
-    Scene scene = GetParam().make(random, false);
+    Scene scene = makeScene(GetParam(), random, false);
     scene.queries.resize(std::min<std::size_t>(scene.queries.size(), 20));
     this->check(scene,
       [&](const TriangleMesh& engine, const std::vector<geodesic::SourceCurve>& curves)
@@ -223,13 +181,9 @@ TEST_P(ShortestPaths, InStripsEndOnTheCurveTheyName)
 
 TEST_P(ShortestPaths, BetweenTwoPointsBeginAndEndThere)
 {
-  for (Random& random : EachSeed(GetParam().seeds(12), 52000))
+  for (Random& random : EachSeed(meshesOfAKind(12), 52000))
   {
-    const Scene scene = GetParam().make(random, true);
-    if (scene.lines.size() != 1 || !scene.lines[0].isPoint())
-    {
-      continue; // a closed form for other sources
-    }
+    const Scene scene = makeScene(GetParam(), random, true);
     this->check(scene,
       [&](const TriangleMesh& engine, const std::vector<geodesic::SourceCurve>& curves)
       {
@@ -250,8 +204,8 @@ TEST_P(ShortestPaths, BetweenTwoPointsBeginAndEndThere)
   EXPECT_GE(this->paths_, 3U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, ShortestPaths, ::testing::ValuesIn(sceneKinds()),
-  [](const auto& instance) { return instance.param.name; });
+INSTANTIATE_TEST_SUITE_P(Kinds, ShortestPaths, ::testing::ValuesIn(meshKinds()),
+  [](const auto& instance) { return std::string(instance.param.name); });
 
 // (1 - 1.8e-15, 9e-16, 9e-16) in a face, two faces away from the vertex that is the source.
 TEST(ShortestPath, ToAPointARoundingBesideAVertexIsFound)

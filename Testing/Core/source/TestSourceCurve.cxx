@@ -151,20 +151,6 @@ Vec3 randomVector(Random& random, double size)
   return { random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size) };
 }
 
-TEST(SourceCurve, APointGoesToTheClosestPointOfItsFace)
-{
-  Random random(1);
-  for (int i = 0; i < 2000; ++i)
-  {
-    const double far = std::pow(10.0, random.uniform(-3.0, 3.0));
-    const TriangleMesh mesh(
-      { randomVector(random, 1.0), randomVector(random, 1.0), randomVector(random, 1.0) },
-      { { 0, 1, 2 } });
-    const Vec3 p = randomVector(random, far);
-    expectClosest(mesh, 0, p, placed(mesh, p, 0));
-  }
-}
-
 TEST(SourceCurve, APointGoesToTheClosestPointOfANeedle)
 {
   Random random(2);
