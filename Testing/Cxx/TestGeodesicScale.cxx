@@ -115,13 +115,12 @@ std::vector<double> RunOther(int exponent, const vtkSmartPointer<vtkGeodesicAlgo
 
 const std::vector<int> AllExponents = { -960, -700, -150, -110, -98, 98, 110, 150, 700, 960 };
 
-void CheckEveryDigitStays(Check& check, const char* name,
-  const std::function<std::vector<double>(int)>& run,
-  const std::vector<int>& exponents = AllExponents)
+void CheckEveryDigitStays(
+  Check& check, const char* name, const std::function<std::vector<double>(int)>& run)
 {
   const std::vector<double> numbers = run(0);
   check.That(!numbers.empty(), std::string(name) + ": there are numbers");
-  for (const int exponent : exponents)
+  for (const int exponent : AllExponents)
   {
     check.That(run(exponent) == numbers,
       std::string(name) + ": every digit stays at 2^" + std::to_string(exponent));
@@ -144,16 +143,13 @@ void CheckFields(Check& check)
       filter->ToleranceIsAbsoluteOn();
       filter->SetAbsoluteRefinementTolerance(Scaled(0.002, exponent));
     });
-  // Not at 2^98, a size that the engine works in: there some directions of paths have other digits.
-  const Setting withCoordinates = [](vtkGeodesicDistanceField* filter, int)
-  {
-    filter->GenerateGradientsOn();
-    filter->GenerateSourceArcLengthOn();
-    filter->GenerateSourceAngleOn();
-  };
-  CheckEveryDigitStays(check, "with coordinates",
-    [&](int exponent) { return Run(exponent, withCoordinates); },
-    { -960, -700, -400, -150, -110, -98, 110, 150, 400, 700, 960 });
+  expect("with coordinates",
+    [](vtkGeodesicDistanceField* filter, int)
+    {
+      filter->GenerateGradientsOn();
+      filter->GenerateSourceArcLengthOn();
+      filter->GenerateSourceAngleOn();
+    });
 }
 
 void CheckOtherFilters(Check& check)

@@ -145,9 +145,15 @@ struct Window
   /// halfedge, rounding of the crossing would turn the ray.
   Vec2 directionTo(Vec2 p, double crossing) const
   {
-    const double outside =
-      this->isLinear() || !(p.y > 0.0) ? Infinity : std::abs(this->straightCrossing(p) - crossing);
-    const bool isStraight = outside <= tolerance::PlaceRounding * (std::abs(p.x) + p.y + this->end);
+    const double size = std::abs(p.x) + p.y + this->end;
+    if (this->isLinear())
+    {
+      // About as long as the way from there to p, so that lengths can be compared on surfaces of
+      // all sizes; by a power of two, which rounds nothing.
+      return std::scalbn(1.0, std::ilogb(size)) * this->direction(crossing);
+    }
+    const double outside = p.y > 0.0 ? std::abs(this->straightCrossing(p) - crossing) : Infinity;
+    const bool isStraight = outside <= tolerance::PlaceRounding * size;
     return isStraight ? p - Vec2{ this->sourceX, -this->sourceDepth } : this->direction(crossing);
   }
 
