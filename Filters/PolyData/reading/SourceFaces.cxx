@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <iterator>
 #include <numeric>
 #include <set>
@@ -83,12 +84,12 @@ private:
   std::vector<std::size_t> parents_;
 };
 
-LocatedPolyline lineAlong(const LocatedPolyline& face, std::size_t corner)
+LocatedPolyline cornersOf(const LocatedPolyline& face, std::initializer_list<std::size_t> corners)
 {
   LocatedPolyline line;
   line.name = face.name;
   line.source = face.source;
-  for (const std::size_t i : { corner, (corner + 1) % face.points.size() })
+  for (const std::size_t i : corners)
   {
     line.points.push_back(face.points[i]);
     line.vertices.push_back(face.vertexOf(i));
@@ -137,40 +138,41 @@ std::vector<FaceEdge> outlinesOf(RegionsOfFaces& regions,
 
 } // anonymous namespace
 
-std::vector<std::vector<std::uint64_t>> numberCorners(const std::vector<LocatedPolyline>& faces)
+std::vector<std::vector<std::uint64_t>> numberCorners(
+  const std::vector<const LocatedPolyline*>& faces)
 {
   using Place = std::array<double, 4>;
   std::unordered_map<Place, std::uint64_t, Hash> numbers;
-  std::vector<std::vector<std::uint64_t>> corners(faces.size());
-  for (std::size_t face = 0; face < faces.size(); ++face)
+  std::vector<std::vector<std::uint64_t>> corners;
+  for (const LocatedPolyline* face : faces)
   {
-    for (std::size_t i = 0; i < faces[face].points.size(); ++i)
+    std::vector<std::uint64_t>& ofFace = corners.emplace_back();
+    for (std::size_t i = 0; i < face->points.size(); ++i)
     {
-      const Vec3 p = faces[face].points[i] + Vec3{}; // -0 and 0 are one place
-      const Place place = { p[0], p[1], p[2], static_cast<double>(faces[face].vertexOf(i)) };
-      corners[face].push_back(numbers.emplace(place, numbers.size()).first->second);
+      const Vec3 p = face->points[i] + Vec3{}; // -0 and 0 are one place
+      const Place place = { p[0], p[1], p[2], static_cast<double>(face->vertexOf(i)) };
+      ofFace.push_back(numbers.emplace(place, numbers.size()).first->second);
     }
   }
   return corners;
 }
 
-LocatedPolyline firstPointOf(const LocatedPolyline& face)
+void makeRegions(SourceCells& cells, bool areJoined)
 {
-  LocatedPolyline point = lineAlong(face, 0);
-  point.points.pop_back();
-  point.vertices.pop_back();
-  point.pointNames.pop_back();
-  return point;
-}
-
-void makeRegions(std::vector<LocatedPolyline>& faces, const std::vector<vtkIdType>& values,
-  bool areJoined, std::vector<LocatedPolyline>& polylines)
-{
+  std::vector<const LocatedPolyline*> faces; // the parts of all
+  std::vector<SourceFace*> wholes;
+  for (SourceFace& face : cells.faces)
+  {
+    wholes.insert(wholes.end(), face.parts.size(), &face);
+    std::transform(face.parts.begin(), face.parts.end(), std::back_inserter(faces),
+      [](const LocatedPolyline& part) { return &part; });
+  }
   RegionsOfFaces regions(faces.size());
   std::unordered_map<vtkIdType, std::size_t> withValue;
   for (std::size_t face = 0; face < faces.size(); ++face)
   {
-    regions.join(withValue.emplace(values[face], face).first->second, face);
+    const vtkIdType value = cells.valueOf(faces[face]->source);
+    regions.join(withValue.emplace(value, face).first->second, face);
   }
   const std::vector<std::vector<std::uint64_t>> corners = numberCorners(faces);
   const std::vector<FaceEdge> edges = edgesOf(corners);
@@ -181,27 +183,29 @@ void makeRegions(std::vector<LocatedPolyline>& faces, const std::vector<vtkIdTyp
       regions.join(edges[i].face, edges[i - 1].face);
     }
   }
-  for (std::size_t face = 0; face < faces.size(); ++face)
-  {
-    faces[face].source = faces[regions.of(face)].source;
-  }
   std::vector<std::size_t> lines;
   std::vector<vtkIdType> regionOfLine;
   std::vector<bool> hasOutline(faces.size(), false);
+  const auto add = [&](std::size_t face, std::initializer_list<std::size_t> points)
+  {
+    cells.polylines.push_back(cornersOf(*faces[face], points));
+    cells.polylines.back().source = faces[regions.of(face)]->source;
+  };
   for (const FaceEdge& edge : outlinesOf(regions, corners, edges))
   {
     const std::size_t region = regions.of(edge.face);
     hasOutline[region] = true;
-    lines.push_back(polylines.size());
+    lines.push_back(cells.polylines.size());
     regionOfLine.push_back(static_cast<vtkIdType>(region));
-    polylines.push_back(lineAlong(faces[edge.face], edge.corner));
+    add(edge.face, { edge.corner, (edge.corner + 1) % corners[edge.face].size() });
   }
-  joinLines(polylines, lines, regionOfLine);
+  joinLines(cells.polylines, lines, regionOfLine);
   for (std::size_t face = 0; face < faces.size(); ++face)
   {
+    wholes[face]->outline.source = faces[regions.of(face)]->source;
     if (regions.of(face) == face && !hasOutline[face])
     {
-      polylines.push_back(firstPointOf(faces[face]));
+      add(face, { 0 });
     }
   }
 }
