@@ -169,16 +169,11 @@ std::string nameOfBarrier(const PartsRequest& from, const RankAddress& face)
 {
   const PolyDataSurface& surface = from.surface;
   Exchange& exchange = surface.exchange();
-  Message message;
-  if (face.rank == exchange.rank())
-  {
-    const std::string own =
-      surface.nameOfCell(surface.triangleOfBarrier(face.id), from.surfaceBlocks);
-    put(message, own.data(), own.size());
-  }
-  const Message answer = exchange.tellAll(message)[rankIndex(face.rank)];
-  std::string name(answer.size(), ' ');
-  MessageReader(answer).get(name.data(), name.size());
+  const std::string own = face.rank == exchange.rank()
+    ? surface.nameOfCell(surface.triangleOfBarrier(face.id), from.surfaceBlocks)
+    : "";
+  const std::vector<char> told = valuesOfRanks(exchange, std::vector<char>(own.begin(), own.end()));
+  const std::string name(told.begin(), told.end());
   return surface.partition.isDistributed() ? name + " on rank " + std::to_string(face.rank) : name;
 }
 
