@@ -132,10 +132,8 @@ void AddSource(const std::string& name, std::vector<double> distances, const Tar
   column->Fill(Infinity);
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
-    column->SetValue(static_cast<vtkIdType>(targets.numbers[i]),
-      scale.resultToUser(distances[i],
-        "Distances on the surface (input port 0) are larger than numbers can be. Scale the "
-        "surface, the source and the targets upstream."));
+    column->SetValue(
+      static_cast<vtkIdType>(targets.numbers[i]), scale.distanceToUser(distances[i]));
   }
   table->AddColumn(column);
 }

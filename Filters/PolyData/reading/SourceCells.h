@@ -25,7 +25,6 @@ struct SourceFace
   std::vector<LocatedPolyline> parts = {};
   /// The faces of the surface that it consists of, of all ranks; see SourceFaceMesh.
   std::vector<RankAddress> covered = {};
-  bool isInBarrier = false;
 };
 
 /// The cells of a source, or of sets of targets, on the surface's scale. Cells are numbered over

@@ -48,61 +48,66 @@ std::vector<vtkIdType> numbersLeft(const SourceCells& cells)
   return numbers;
 }
 
-/// Finds SourceFace::covered and, for a source, isInBarrier: a face that the surface has is what it
-/// is there; any other is what is closest to a point inside of it. All ranks call this together.
-void placeFaces(const PartsRequest& from, const Job& job, SourceCells& cells)
+/// SourceFaceMesh::findCovered() among the open faces of a surface, or among its barriers.
+std::vector<std::vector<RankAddress>> findCovered(
+  const SourceFaceMesh& mesh, const PolyDataSurface& surface, bool amongBarriers, const Job& job)
 {
-  const PolyDataSurface& surface = from.surface;
-  const SourceFaceMesh mesh(cells.faces, cells.precision);
-  const auto findCovered =
-    [&](const MeshPartition& on, Id (PolyDataSurface::*triangleOf)(Id) const, const Job& part)
+  const auto cellOf = [&](Id face) -> SurfaceCell
   {
-    const auto cellOf = [&](Id face) -> SurfaceCell
-    {
-      const auto [block, cell] = surface.inputCellOf((surface.*triangleOf)(face));
-      return { surface.exchange().rank(), static_cast<vtkIdType>(block), cell };
-    };
-    return mesh.findCovered(on, cellOf, part);
+    const auto [block, cell] = surface.inputCellOf(
+      amongBarriers ? surface.triangleOfBarrier(face) : surface.triangleOf(face));
+    return { surface.exchange().rank(), static_cast<vtkIdType>(block), cell };
   };
-  std::vector<std::vector<RankAddress>> covered =
-    findCovered(surface.partition, &PolyDataSurface::triangleOf, job.part(0.0, 0.0));
-  for (std::size_t i = 0; i < covered.size(); ++i)
-  {
-    cells.faces[i].covered = std::move(covered[i]);
-  }
-  if (!surface.barriers || from.targets)
-  {
-    return;
-  }
+  return mesh.findCovered(
+    amongBarriers ? surface.barriers->surface() : surface.partition, cellOf, job);
+}
+
+/// Leaves out faces that lie in barriers, which are no faces of the surface. A face that the
+/// surface has is what it is there; any other is what is closest to a point inside of it. All ranks
+/// call this together.
+///
+/// \throws InputError if they are all of the source.
+void leaveOutFacesInBarriers(
+  const PartsRequest& from, const Job& job, const SourceFaceMesh& mesh, SourceCells& cells)
+{
   const std::vector<LocatedPolyline> inside = mesh.pointsInside();
   const LocatedPlaces places = from.locator.locate(inside, cells.precision, job);
   // Thin faces, too, lie in one or in the other: no rim.
   const std::vector<RankAddress> barriers =
-    surface.barriers->barriersAt(places.places, places.faces, cells.precision, 0.0);
-  covered = findCovered(
-    surface.barriers->surface(), &PolyDataSurface::triangleOfBarrier, job.part(1.0, 1.0));
+    from.surface.barriers->barriersAt(places.places, places.faces, cells.precision, 0.0);
+  const std::vector<std::vector<RankAddress>> covered =
+    findCovered(mesh, from.surface, true, job.part(1.0, 1.0));
+  std::vector<SourceFace> left;
   for (std::size_t i = 0; i < covered.size(); ++i)
   {
     // An open face of another sheet may go through a barrier's middle.
     const bool isClosest = barriers[places.indexOf(inside[i].points.front())].id != NoId;
-    cells.faces[i].isInBarrier =
-      isClosest || (!covered[i].empty() && cells.faces[i].covered.empty());
+    if (!isClosest && (covered[i].empty() || !cells.faces[i].covered.empty()))
+    {
+      left.push_back(std::move(cells.faces[i]));
+    }
   }
-}
-
-/// Leaves out faces that lie in barriers, which are no faces of the surface.
-///
-/// \throws InputError if they are all of the source.
-void leaveOutFacesInBarriers(SourceCells& cells)
-{
-  std::vector<SourceFace>& faces = cells.faces;
-  faces.erase(std::remove_if(faces.begin(), faces.end(),
-                [](const SourceFace& face) { return face.isInBarrier; }),
-    faces.end());
+  cells.faces = std::move(left);
   if (cells.isEmpty())
   {
     throw InputError("All of the source (input port 1) lies in barriers (BarrierArrayName), which "
                      "no path may leave. Choose faces outside of barriers.");
+  }
+}
+
+/// Finds where faces lie. All ranks call this together.
+void placeFaces(const PartsRequest& from, const Job& job, SourceCells& cells)
+{
+  const SourceFaceMesh mesh(cells.faces, cells.precision);
+  std::vector<std::vector<RankAddress>> covered =
+    findCovered(mesh, from.surface, false, job.part(0.0, 0.0));
+  for (std::size_t i = 0; i < covered.size(); ++i)
+  {
+    cells.faces[i].covered = std::move(covered[i]);
+  }
+  if (from.surface.barriers && !from.targets)
+  {
+    leaveOutFacesInBarriers(from, job, mesh, cells);
   }
 }
 
@@ -232,7 +237,6 @@ SourceParts readParts(const PartsRequest& from, const Job& job)
   if (!read.faces.empty())
   {
     placeFaces(from, job.part(0.0, facesLocated), read);
-    leaveOutFacesInBarriers(read);
   }
   if (from.areLinesJoined)
   {
