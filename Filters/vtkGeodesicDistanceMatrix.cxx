@@ -50,7 +50,7 @@ std::vector<std::string> ColumnNames(const Sources& sources)
     name = name.empty() ? "Source" + id : name;
     while (!given.insert(name).second)
     {
-      name += "_" + id;
+      name.append("_").append(id);
     }
   }
   return names;

@@ -171,26 +171,13 @@ void CheckRegionsWithoutNames(Check& check)
     "the id of a region is that of its first face");
 }
 
-/// A sheet that lies on a face of the region is no part of it: neither on a triangle, nor on one
-/// that is cut at a face without area, nor on a polygon.
+/// A sheet that lies on a face of the region is no part of it.
 void CheckRegionUnderASheet(Check& check)
 {
-  const std::vector<Point> points = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 4, 4, 0 },
-    { 1, 1, 0 }, { 2, 1, 0 }, { 1, 2, 0 }, { 2, 2, 1 }, { 2, 0, 0 }, { 2, -4, 0 } };
-  using Polygons = std::vector<std::vector<vtkIdType>>;
-  const Polygons sheet = { { 4, 5, 6 }, { 5, 7, 6 } };
-  const std::pair<std::string, Polygons> others[] = { { "triangle",
-                                                        { { 0, 1, 2 }, { 1, 3, 2 }, { 8, 9, 1 } } },
-    { "cut triangle", { { 0, 1, 2 }, { 1, 3, 2 }, { 0, 8, 1 }, { 0, 9, 8 }, { 8, 9, 1 } } },
-    { "polygon", { { 0, 1, 3, 2 }, { 8, 9, 1 } } } };
-  for (const auto& [name, faces] : others)
+  for (const auto& [name, region] : RegionsUnderASheet())
   {
-    Polygons all = faces;
-    all.insert(all.end(), sheet.begin(), sheet.end());
-    Region region{ Mesh(points, all), std::vector<bool>(all.size(), false) };
-    region.IsInside[0] = true;
-    CheckRegion(check, region, "a sheet on a " + name);
-    CheckOtherFilters(check, region, "a sheet on a " + name);
+    CheckRegion(check, region, name);
+    CheckOtherFilters(check, region, name);
   }
 }
 
