@@ -41,10 +41,6 @@
  * rank 0 has the rows; the whole surface must be on one rank, or on each: one that is distributed
  * is an error.
  *
- * @par Thanks:
- * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
- * Curves on Triangle Meshes", Proceedings of Vision, Modeling, and Visualization (VMV) 2007.
- *
  * @sa
  * vtkGeodesicDistanceField vtkGeodesicPaths
  */
