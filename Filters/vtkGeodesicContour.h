@@ -39,10 +39,6 @@
  * its piece of the surface. Lines end at seams, where the lines of another rank go on from points
  * with the same coordinates. The source itself, at a value of 0, is on rank 0.
  *
- * @par Thanks:
- * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
- * Curves on Triangle Meshes", Proceedings of Vision, Modeling, and Visualization (VMV) 2007.
- *
  * @sa
  * vtkGeodesicDistanceField vtkContourFilter vtkContourValues
  */

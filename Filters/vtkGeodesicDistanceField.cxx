@@ -398,12 +398,7 @@ public:
       makeArray<vtkDoubleArray>(this->Self->DistanceArrayName, output->GetNumberOfPoints());
     vtkIdType next = 0;
     const auto add = [&](double distance)
-    {
-      distances->SetValue(next++,
-        surface.scale.resultToUser(distance,
-          "Distances on the surface (input port 0) are larger than numbers can be. Scale the "
-          "surface and the source upstream."));
-    };
+    { distances->SetValue(next++, surface.scale.distanceToUser(distance)); };
     for (Id i = 0; i < block.numberOfPoints; ++i)
     {
       add(result.vertexDistances[surface.vertexOf(block.firstPoint + i)]);

@@ -37,33 +37,24 @@ const char* const TargetIdColumn = "TargetId";
 const char* const TargetNameColumn = "TargetName";
 const char* const TargetPositionColumn = "TargetPosition";
 
-/// Gives each source's column a name that no other column has.
-class ColumnNames
+/// A name for the column of each source that no other column has.
+std::vector<std::string> ColumnNames(const Sources& sources)
 {
-public:
-  explicit ColumnNames(const Sources& sources)
-    : sources_(sources)
+  std::set<std::string> given = { TargetIdColumn, TargetNameColumn, TargetPositionColumn };
+  std::vector<std::string> names = sources.names;
+  names.resize(sources.ids.size());
+  for (std::size_t i = 0; i < names.size(); ++i)
   {
-  }
-
-  std::string next()
-  {
-    const std::size_t place = this->next_++;
-    const std::string id = std::to_string(this->sources_.ids[place]);
-    const std::vector<std::string>& names = this->sources_.names;
-    std::string name = place < names.size() && !names[place].empty() ? names[place] : "Source" + id;
-    while (!this->given_.insert(name).second)
+    const std::string id = std::to_string(sources.ids[i]);
+    std::string& name = names[i];
+    name = name.empty() ? "Source" + id : name;
+    while (!given.insert(name).second)
     {
-      name += "_" + id;
+      name.append("_").append(id);
     }
-    return name;
   }
-
-private:
-  const Sources& sources_;
-  std::size_t next_ = 0;
-  std::set<std::string> given_ = { TargetIdColumn, TargetNameColumn, TargetPositionColumn };
-};
+  return names;
+}
 
 /// Adds the names of targets that have some.
 void AddTargetNames(const Inputs& inputs, vtkTable* table)
@@ -141,10 +132,8 @@ void AddSource(const std::string& name, std::vector<double> distances, const Tar
   column->Fill(Infinity);
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
-    column->SetValue(static_cast<vtkIdType>(targets.numbers[i]),
-      scale.resultToUser(distances[i],
-        "Distances on the surface (input port 0) are larger than numbers can be. Scale the "
-        "surface, the source and the targets upstream."));
+    column->SetValue(
+      static_cast<vtkIdType>(targets.numbers[i]), scale.distanceToUser(distances[i]));
   }
   table->AddColumn(column);
 }
@@ -199,10 +188,10 @@ void ComputeTable(const Inputs& inputs, double maximumDistance, bool hasPosition
   {
     AddTargetPositions(inputs, table);
   }
-  ColumnNames names(inputs.sources);
-  for (std::vector<double>& column : matrix)
+  const std::vector<std::string> names = ColumnNames(inputs.sources);
+  for (std::size_t i = 0; i < names.size(); ++i)
   {
-    AddSource(names.next(), std::move(column), inputs.targets, scale, table);
+    AddSource(names[i], std::move(matrix[i]), inputs.targets, scale, table);
   }
 }
 

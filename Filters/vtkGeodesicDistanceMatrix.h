@@ -11,26 +11,18 @@
  * @par Algorithm:
  * For each source a front goes out (see vtkGeodesicDistanceField), until all targets are settled:
  * of targets near the source the rest of the surface costs nothing. Sources are solved side by side
- * on the threads that vtkSMPTools is set to use, one thread a source, with one structure of the
- * surface in common; each of the threads takes the memory of one solve.
- * @par
- * If every source is a point or a set of points and there are fewer targets than sources, a front
- * goes out from each target instead, until all sources are settled: 3 targets of 500 sources take 3
- * solves. This is not done where straight distances tell that these fronts go farther in all (where
- * many sources are near the targets, and one is far away). Sets of targets (TargetIdArrayName) are
- * solved instead whatever the sources are. If they are the sources themselves, the table is
- * symmetric, and one of each two is solved.
+ * on the threads that vtkSMPTools is set to use, one thread a source, each of which takes the
+ * memory of one solve. Where fronts from the targets are fewer, and go less far by an estimate,
+ * they go out from there: 3 targets of 500 sources take 3 solves. With targets that are points the
+ * sources must be points, too, for that. If sets of targets (TargetIdArrayName) are the sources
+ * themselves, the table is symmetric, and one of each two is solved.
  *
  * @par Input:
- * Port 0 takes the surface: see vtkGeodesicAlgorithm, also for composite data, pieces and errors.
- * Port 1 takes the sources: each cell of a vtkPolyData is one (a line with those that it is joined
- * to, a polyline, a region of faces that meet, or a vertex cell with all its points);
- * where there are no cells, or vertex cells only, each point (of the vertex cells) is one. With
- * SourceType the boundary of the surface takes their place or comes in addition, each of its loops
- * as a source of its own. Port 2, optional, takes the targets: every point of a vtkPointSet, put
- * onto the closest point of the surface, with a warning where that is far. Where it is not
- * connected the targets are all points of port 1. With TargetIdArrayName targets are sets of
- * points, lines and regions.
+ * Port 0 takes the surface, port 1 the sources: see vtkGeodesicAlgorithm. Each part of port 1 that
+ * has an id of its own is a source, as is each loop of the boundary, if SourceType asks for it.
+ * Port 2, optional, takes the targets: every point of a vtkPointSet, put onto the closest point of
+ * the surface, or sets of points, lines and regions (TargetIdArrayName). Where it is not connected
+ * the targets are those of port 1.
  *
  * @par Output:
  * A vtkTable with one row a target, in their order, and the columns
@@ -38,22 +30,16 @@
  *   go on from block to block), or by its value of TargetIdArrayName,
  * - `TargetName` (vtkStringArray): what the target is called, with TargetNameArrayName only,
  * - `TargetPosition` (vtkDoubleArray of 3 components), with GenerateTargetPositions only,
- * - `Source0`, `Source1`, ... (double): the distance from each source, by the ids of the cells (of
- * the points where there are no cells or vertex cells only); loops of the boundary follow. Infinite
- * where no path leads from the source to the target, as to one in a barrier (BarrierArrayName),
- * beyond MaximumDistance, and for a cell without points. With SourceNameArrayName a column is
- * called as its source.
+ * - `Source0`, `Source1`, ... (double): the distance from each source, by its id, or name
+ *   (SourceNameArrayName). Infinite where no path leads from the source to the target, as to one in
+ *   a barrier, beyond MaximumDistance, and for a cell without points.
  *
  * @par Execution:
- * The numbers are the same, to the last bit, for any number of threads. Where fronts go out from
- * the sources, they are those of the field of each source, at vertices to the last bit, whatever
- * other sources and targets there are; where they go out from the targets, those of the field of
- * each target. The two differ by roundings. On several ranks rank 0 has the rows; the whole surface
- * must be on one rank, or on each: one that is distributed is an error.
- *
- * @par Thanks:
- * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
- * Curves on Triangle Meshes", Proceedings of Vision, Modeling, and Visualization (VMV) 2007.
+ * Where fronts go out from the sources, the numbers are those of the field of each source, at
+ * vertices to the last bit, whatever other sources and targets there are; where they go out from
+ * the targets, those of the field of each target. The two differ by roundings. On several ranks
+ * rank 0 has the rows; the whole surface must be on one rank, or on each: one that is distributed
+ * is an error.
  *
  * @sa
  * vtkGeodesicDistanceField vtkGeodesicPaths
@@ -99,13 +85,12 @@ public:
 
   ///@{
   /**
-   * Name of an array of the source that says what its parts are called: their columns have these
-   * names. It is an array of the points of a set of points, and of the cells of any other data set,
-   * of strings or integers. Parts that are one source (SourceIdArrayName, JoinLines) go by the
-   * first one's name. A name that another column has is followed by "_" and the source's id: of two
-   * points 3 and 5 called "Cz" the columns are "Cz" and "Cz_5". Without a name, as loops of the
-   * boundary are, a column is "Source" and the id. Empty (null), the default, and "None" stand for
-   * no such array.
+   * Name of an array of strings or integers of the source, in the place of one for
+   * SourceIdArrayName, that says what its parts are called: their columns have these names. Parts
+   * that are one source go by the first one's name. A name that another column has is followed by
+   * "_" and the source's id: of two points 3 and 5 called "Cz" the columns are "Cz" and "Cz_5".
+   * Without a name, as loops of the boundary are, a column is "Source" and the id. Empty (null),
+   * the default, and "None" stand for no such array.
    */
   vtkSetStringMacro(SourceNameArrayName);
   vtkGetStringMacro(SourceNameArrayName);

@@ -109,10 +109,7 @@ void vtkGeodesicFarthestPoints::Compute(
   {
     const FarthestPoint& point = found.points[static_cast<std::size_t>(row)];
     ids->SetValue(row, pointOf[point.vertex]);
-    distances->SetValue(row,
-      surface.scale.resultToUser(point.distance,
-        "Distances on the surface (input port 0) are larger than numbers can be. Scale the "
-        "surface and the source upstream."));
+    distances->SetValue(row, surface.scale.distanceToUser(point.distance));
   }
   vtkTable* table = vtkTable::GetData(outputVector);
   table->AddColumn(ids);

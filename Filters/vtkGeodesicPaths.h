@@ -43,10 +43,6 @@
  * Each path is the same whatever other targets there are. On several ranks a path is put out by the
  * rank where its target was, by rank 0 where all had the same targets.
  *
- * @par Thanks:
- * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
- * Curves on Triangle Meshes", Proceedings of Vision, Modeling, and Visualization (VMV) 2007.
- *
  * @sa
  * vtkGeodesicDistanceField vtkGeodesicDistanceMatrix vtkDijkstraGraphGeodesicPath
  */

@@ -4,7 +4,6 @@
 #include "PolyData/FilterExecution.h"
 #include "PolyData/SurfaceCache.h"
 #include "PolyData/ranks/SourcePatch.h"
-#include "PolyData/reading/CoveredFaces.h"
 #include "PolyData/reading/InputArrays.h"
 #include "paths/FacesBetweenPoints.h"
 #include "paths/JoinPoints.h"
@@ -208,13 +207,10 @@ struct InputReader
     const bool isDistributed = surface.isDistributed();
     SourceParts source = this->readParts(blocks, nullptr, locating);
     faces.addFacesAround(source.located);
-    if (isDistributed && !source.faces.empty())
+    for (const SourceFace& face : source.faces)
     {
-      for (const CoveredFace& covered :
-        findCoveredFaces(surface, source.faces, source.precision, locating.part(1.0, 1.0)).own)
-      {
-        faces.addFacesAround(covered.face);
-      }
+      std::for_each(face.covered.begin(), face.covered.end(),
+        [&faces](const RankAddress& covered) { faces.addFacesAround(covered); });
     }
     std::optional<ReplicatedPatch>& patch = this->inputs.patch;
     const auto makePatch = [&]
@@ -234,7 +230,7 @@ struct InputReader
     const TriangleMesh& mesh = patch->mesh();
     JoinedPaths paths;
     SourceCurves curves =
-      curvesOn(mesh, source, paths.joinBy(joinByShortestPaths(mesh), this->cache.joinedPaths()),
+      curvesOn(*patch, source, paths.joinBy(joinByShortestPaths(mesh), this->cache.joinedPaths()),
         joining.part(patchMade, 1.0));
     if (!isDistributed) // else the next patch numbers its faces in another way
     {
@@ -254,20 +250,21 @@ struct InputReader
   /// Puts polylines onto the surface, with the faces that their regions cover: the first curve of
   /// their source, which has one, gets them.
   static SourceCurves curvesOn(
-    const TriangleMesh& mesh, const SourceParts& source, const JoinPoints& join, const Job& job)
+    const ReplicatedPatch& patch, const SourceParts& source, const JoinPoints& join, const Job& job)
   {
-    SourceCurves on = putOntoSurface(mesh, source.polylines, source.precision, join, job);
+    SourceCurves on = putOntoSurface(patch.mesh(), source.polylines, source.precision, join, job);
     std::unordered_map<Id, std::size_t> first;
     for (std::size_t i = 0; i < on.curves.size(); ++i)
     {
       first.emplace(on.curves[i].source, i);
     }
-    const MeshPartition surface(mesh);
-    for (const CoveredFace& covered :
-      findCoveredFaces(surface, source.faces, source.precision, job.part(1.0, 1.0)).own)
+    for (const SourceFace& face : source.faces)
     {
-      const Id part = source.faces[covered.by].source;
-      on.curves[first.at(part)].coveredFaces.push_back(covered.face);
+      for (const RankAddress& covered : face.covered)
+      {
+        std::vector<Id>& faces = on.curves[first.at(face.outline.source)].coveredFaces;
+        faces.push_back(patch.faceAt(covered));
+      }
     }
     return on;
   }
@@ -351,7 +348,8 @@ struct InputReader
     SourceParts read = this->readParts(this->inputs.targetBlocks.blocks, &name, job.part(0.0, 0.9));
     const TriangleMesh& mesh = this->inputs.patch->mesh();
     read.located.setFaces(*this->inputs.patch, read.polylines);
-    SourceCurves curves = curvesOn(mesh, read, joinByShortestPaths(mesh), job.part(0.9, 1.0));
+    SourceCurves curves =
+      curvesOn(*this->inputs.patch, read, joinByShortestPaths(mesh), job.part(0.9, 1.0));
     addBordersWithoutCurves(mesh, curves.curves);
     noteTargetSets(*this->inputs.surface, mesh, read, this->inputOfTargets(), this->notes);
     this->inputs.targetSets = Sources{ std::move(curves), std::move(read.parts), 0 };

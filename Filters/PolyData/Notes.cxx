@@ -248,7 +248,7 @@ void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock
 {
   FarPoints far;
   far.ofAll = targets.count;
-  Message own;
+  std::vector<std::size_t> own;
   for (std::size_t i = 0; i < targets.numbers.size(); ++i)
   {
     if (targets.snapDistances[i] > farLimit(surface))
@@ -256,16 +256,14 @@ void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock
       far.largestDistance = std::max(far.largestDistance, targets.snapDistances[i]);
       if (far.count++ < PointsNamed)
       {
-        put(own, targets.numbers[i]);
+        own.push_back(targets.numbers[i]);
       }
     }
   }
   Exchange& exchange = surface.exchange();
   far.count = static_cast<std::size_t>(sumOverRanks(exchange, far.count).all);
   far.largestDistance = exchange.largestOf(far.largestDistance);
-  std::vector<std::size_t> numbers;
-  readEach(exchange.tellAll(own),
-    [&](int, MessageReader& reader) { numbers.push_back(reader.get<std::size_t>()); });
+  std::vector<std::size_t> numbers = valuesOfRanks(exchange, own);
   if (far.count == 0)
   {
     return;

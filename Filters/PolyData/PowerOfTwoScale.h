@@ -41,15 +41,17 @@ public:
   {
     return { this->toUser(p[0]), this->toUser(p[1]), this->toUser(p[2]) };
   }
-  /// The same for a result, which may be infinite.
+  /// The same for a distance, which may be infinite.
   ///
-  /// \throws MeshError with this message where a finite one becomes infinite.
-  double resultToUser(double length, const char* message) const
+  /// \throws MeshError where a finite one becomes infinite.
+  double distanceToUser(double length) const
   {
     const double result = this->toUser(length);
     if (length < Infinity && !(result < Infinity))
     {
-      throw MeshError(message);
+      throw MeshError(
+        "Distances on the surface (input port 0) are larger than numbers can be. Scale "
+        "all inputs upstream.");
     }
     return result;
   }

@@ -9,6 +9,7 @@
 #include "vtkIntArray.h"
 
 #include <cstdlib>
+#include <map>
 #include <set>
 
 namespace GeodesicTesting
@@ -214,6 +215,30 @@ inline Region RandomRegion(std::uint64_t seed, bool hasQuads = true)
   }
   region.IsInside[below(count)] = true;
   return region;
+}
+
+/// The first cell of a surface is a region, and a sheet lies on it: on a triangle, on one that is
+/// cut at a face without area, on a polygon.
+inline std::map<std::string, Region> RegionsUnderASheet()
+{
+  using Polygons = std::vector<std::vector<vtkIdType>>;
+  const std::vector<Point> points = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 4, 4, 0 },
+    { 1, 1, 0 }, { 2, 1, 0 }, { 1, 2, 0 }, { 2, 2, 1 }, { 2, 0, 0 }, { 2, -4, 0 } };
+  const std::pair<const char*, Polygons> others[] = { { "triangle",
+                                                        { { 0, 1, 2 }, { 1, 3, 2 }, { 8, 9, 1 } } },
+    { "cut triangle", { { 0, 1, 2 }, { 1, 3, 2 }, { 0, 8, 1 }, { 0, 9, 8 }, { 8, 9, 1 } } },
+    { "polygon", { { 0, 1, 3, 2 }, { 8, 9, 1 } } } };
+  std::map<std::string, Region> regions;
+  for (auto [name, faces] : others)
+  {
+    faces.push_back({ 4, 5, 6 });
+    faces.push_back({ 5, 7, 6 });
+    Region& region = regions[std::string("under a sheet, a ") + name];
+    region.Surface = Mesh(points, faces);
+    region.IsInside.assign(faces.size(), false);
+    region.IsInside[0] = true;
+  }
+  return regions;
 }
 
 /// How many random regions a test takes: GEODESIC_REGION_SEEDS, or this many.

@@ -106,5 +106,12 @@ int TestGeodesicRanksRegions(int argc, char* argv[])
         CheckRegion(check, ranks, region, "seed " + std::to_string(seed));
         CheckTable(check, ranks, seed);
       }
+      for (const auto& [name, region] : RegionsUnderASheet())
+      {
+        if (region.Surface->GetMaxCellSize() == 3)
+        {
+          CheckRegion(check, ranks, region, name);
+        }
+      }
     });
 }

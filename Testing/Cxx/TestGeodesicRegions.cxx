@@ -174,12 +174,11 @@ void CheckRegionsWithoutNames(Check& check)
 /// A sheet that lies on a face of the region is no part of it.
 void CheckRegionUnderASheet(Check& check)
 {
-  const auto surface = Mesh({ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 4, 4, 0 }, { 1, 1, 0 },
-                              { 2, 1, 0 }, { 1, 2, 0 }, { 2, 2, 1 } },
-    { { 0, 1, 2 }, { 1, 3, 2 }, { 4, 5, 6 }, { 5, 7, 6 } });
-  const Region region{ surface, { true, false, false, false } };
-  CheckRegion(check, region, "a region under a sheet");
-  CheckOtherFilters(check, region, "a region under a sheet");
+  for (const auto& [name, region] : RegionsUnderASheet())
+  {
+    CheckRegion(check, region, name);
+    CheckOtherFilters(check, region, name);
+  }
 }
 
 /// A face of the region that is a barrier is left out, also where an open sheet lies on its middle.

@@ -155,6 +155,15 @@ class Masks(unittest.TestCase):
         line = contour(surface, mask, 0.1)
         np.testing.assert_allclose(to_region(line["points"], 7), 0.1, atol=EXACT)
 
+    def test_of_faces_are_measured_beside_barriers(self):
+        (points, faces), labels = labelled_sheet()
+        barriers = points[faces].mean(axis=1)[:, 0] > 0.875
+        found = distance((points, faces), (labels == 40) | barriers, barriers=barriers)
+        expected = np.where(points[:, 0] > 0.875, np.inf, to_region(points, 40))
+        np.testing.assert_allclose(found, expected, atol=EXACT)
+        with self.assertRaisesRegex(GeodesicError, "^All of the source lies in barriers"):
+            distance((points, faces), barriers, barriers=barriers)
+
     def test_without_a_face_or_of_a_wrong_length_are_errors(self):
         surface, labels = labelled_sheet()
         with self.assertRaisesRegex(GeodesicError, "^The source is empty: give at least one face"):

@@ -76,21 +76,15 @@ double nearestOf(const std::vector<Vec3>& some, const std::vector<Vec3>& others)
   return nearest;
 }
 
-/// Estimates the work of solving from each of some sets until others are settled: the sum of the
-/// areas that the fronts cover, if they go as far as straight lines.
-double estimateWork(
-  const Places& sets, const Places& others, double maximumDistance, const Job& job)
+/// An estimate of the work of solving from each of some sets until others are settled: the sum of
+/// the areas that the fronts cover, if they go as far as straight lines.
+///
+/// \param reaches how far the farthest of the others is from each.
+double workOf(const std::vector<double>& reaches, double maximumDistance)
 {
   double work = 0.0;
-  for (const std::vector<Vec3>& set : sets)
+  for (double reach : reaches)
   {
-    job.look();
-    double reach = 0.0;
-    for (const std::vector<Vec3>& other : others)
-    {
-      const double nearest = nearestOf(set, other);
-      reach = nearest < Infinity ? std::max(reach, nearest) : reach;
-    }
     reach = std::min(reach, maximumDistance);
     work += reach * reach;
   }
@@ -112,8 +106,22 @@ bool isLessFromTargets(const TriangleMesh& mesh, const CurveSets& sources, const
   }
   const Places some = placesOf(mesh, targets);
   const Places others = placesOf(mesh, sources);
-  return estimateWork(some, others, maximumDistance, job) <
-    estimateWork(others, some, maximumDistance, job);
+  std::vector<double> fromTargets(some.size(), 0.0);
+  std::vector<double> fromSources(others.size(), 0.0);
+  for (std::size_t i = 0; i < some.size(); ++i)
+  {
+    job.look();
+    for (std::size_t j = 0; j < others.size(); ++j)
+    {
+      const double nearest = nearestOf(some[i], others[j]);
+      if (nearest < Infinity)
+      {
+        fromTargets[i] = std::max(fromTargets[i], nearest);
+        fromSources[j] = std::max(fromSources[j], nearest);
+      }
+    }
+  }
+  return workOf(fromTargets, maximumDistance) < workOf(fromSources, maximumDistance);
 }
 
 bool areAllPoints(const std::vector<SourceCurve>& curves)

@@ -64,8 +64,8 @@ void TargetSets::addCurve(Id set, const SourceCurve& curve)
   for (const SourceInFace& s : segmentsInFaces(this->mesh_, curve, set, numbers))
   {
     const auto point = static_cast<std::size_t>(s.parameterOfA);
-    this->segments_.push_back({ set, point, s.face, s.a, s.b,
-      lengthOfSegment(this->mesh_, curve, point - this->points_.size()) });
+    this->segments_.push_back(
+      { s, lengthOfSegment(this->mesh_, curve, point - this->points_.size()) });
   }
   this->points_.insert(this->points_.end(), curve.points.begin(), curve.points.end());
   for (const Id face : curve.coveredFaces)
@@ -119,7 +119,7 @@ std::vector<double> TargetSets::distancesFrom(
   RetentionAround retention(this->mesh_, std::move(points), maximumDistance, std::move(sets));
   for (const Segment& segment : this->segments_)
   {
-    if (isOpen(segment.set))
+    if (isOpen(segment.curve))
     {
       retention.keepWindows(segment.face);
     }
@@ -157,13 +157,13 @@ void TargetSets::shorten(
   SegmentEnvelope envelope;
   for (const Segment& s : this->segments_)
   {
-    double& ofSet = least[s.set];
-    const double nearest = 0.5 * (atPoints[s.point] + atPoints[s.point + 1] - s.length);
-    if (s.set >= first && ofSet > 0.0 && nearest < ofSet)
+    double& ofSet = least[s.curve];
+    const auto point = static_cast<std::size_t>(s.parameterOfA);
+    const double nearest = 0.5 * (atPoints[point] + atPoints[point + 1] - s.length);
+    if (s.curve >= first && ofSet > 0.0 && nearest < ofSet)
     {
       face.enter(s.face);
-      ofSet =
-        std::min(ofSet, envelope.least(face, face.inPlane(s.begin), face.inPlane(s.end), ofSet));
+      ofSet = std::min(ofSet, envelope.least(face, face.inPlane(s.a), face.inPlane(s.b), ofSet));
     }
   }
 }

@@ -38,14 +38,10 @@ public:
     const std::vector<SourceCurve>& source, Id first, double maximumDistance, const Job& job) const;
 
 private:
-  /// From a point to the next one, in a face that has both.
-  struct Segment
+  /// From a point to the next one, in a face that has both. The number of the curve is that of the
+  /// set, the first parameter that of the point.
+  struct Segment : SourceInFace
   {
-    Id set;
-    std::size_t point;
-    Id face;
-    Barycentric begin;
-    Barycentric end;
     double length;
   };
   struct CoveredFace

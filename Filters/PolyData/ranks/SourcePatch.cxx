@@ -11,20 +11,21 @@ namespace geodesic
 
 void SourcePatch::addFacesAround(const LocatedPlaces& located)
 {
-  if (!this->surface_.isDistributed())
-  {
-    return;
-  }
   for (const std::vector<ClosestFace>& faces : located.faces)
   {
     for (const ClosestFace& found : faces)
     {
-      const Id face = this->surface_.faceAt(found.face);
-      if (face != NoId)
-      {
-        this->addFacesAround(face);
-      }
+      this->addFacesAround(found.face);
     }
+  }
+}
+
+void SourcePatch::addFacesAround(const RankAddress& address)
+{
+  const Id face = this->surface_.isDistributed() ? this->surface_.faceAt(address) : NoId;
+  if (face != NoId)
+  {
+    this->addFacesAround(face);
   }
 }
 

@@ -28,8 +28,8 @@ public:
 
   /// Adds the faces around the places of curves' points.
   void addFacesAround(const LocatedPlaces& located);
-  /// Adds a face of the partition and those at its vertices. In one process not to be called.
-  void addFacesAround(Id face);
+  /// Adds a face of any rank and those at its vertices.
+  void addFacesAround(const RankAddress& address);
   /// Adds the faces on the boundary.
   void addBoundary();
   /// Adds faces that this rank owns.
@@ -43,6 +43,7 @@ public:
   ReplicatedPatch make() const;
 
 private:
+  void addFacesAround(Id face);
   void addFacesAtVertex(Id vertex);
 
   MeshPartition surface_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/reading/CoveredFaces.h"
 
-#include "PolyData/reading/SourceFaces.h"
 #include "Tolerance.h"
 #include "mesh/PolygonTriangles.h"
 #include "mesh/SurfaceLocator.h"
@@ -9,7 +8,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
+#include <map>
+#include <utility>
 
 namespace geodesic
 {
@@ -17,184 +17,163 @@ namespace geodesic
 namespace
 {
 
-/// The faces of a source as a mesh of triangles of their own.
-struct FaceTriangles
-{
-  std::vector<Vec3> points{};
-  std::vector<Triangle> triangles{};
-  /// The face of each triangle, and the first triangle of each face.
-  std::vector<std::size_t> faces{};
-  std::vector<std::size_t> first{};
-  Box box{};
-
-  explicit FaceTriangles(const std::vector<LocatedPolyline>& given)
-  {
-    for (const LocatedPolyline& face : given)
-    {
-      const Id offset = static_cast<Id>(this->points.size());
-      this->first.push_back(this->triangles.size());
-      for (const Triangle& t : triangulatePolygon(face.points).triangles)
-      {
-        this->triangles.push_back({ offset + t[0], offset + t[1], offset + t[2] });
-        this->faces.push_back(this->first.size() - 1);
-      }
-      this->points.insert(this->points.end(), face.points.begin(), face.points.end());
-      std::for_each(face.points.begin(), face.points.end(),
-        [this](const Vec3& point) { this->box.add(point); });
-    }
-    this->first.push_back(this->triangles.size());
-  }
-};
-
-/// The area of a surface's faces in a source's face: of all, and of the largest.
-struct AreaInside
-{
-  double all = 0.0;
-  double largest = 0.0;
-
-  void add(const AreaInside& other)
-  {
-    this->all += other.all;
-    this->largest = std::max(this->largest, other.largest);
-  }
-};
-
-/// What all ranks, which call this together, have in each face.
-std::vector<AreaInside> areasOfRanks(const std::vector<AreaInside>& own, Exchange& exchange)
-{
-  const std::vector<AreaInside> ofRanks = valuesOfRanks(exchange, own);
-  std::vector<AreaInside> areas(own.size());
-  for (std::size_t i = 0; i < ofRanks.size(); ++i)
-  {
-    areas[i % own.size()].add(ofRanks[i]);
-  }
-  return areas;
-}
-
 Vec3 middleOf(const TriangleMesh& mesh, Id face)
 {
   const Triangle& t = mesh.triangle(face);
   return (1.0 / 3.0) * (mesh.point(t[0]) + mesh.point(t[1]) + mesh.point(t[2]));
 }
 
-/// Whether faces of a source cover faces of a surface.
-struct CoverTest
+/// A face of a surface that lies in a face of a source.
+struct FaceInside
 {
-  const TriangleMesh& surface;
-  const FaceTriangles& source;
-  const TriangleMesh& sourceMesh;
-  double precision;
-
-  /// Corners, middles of edges, and the middle: a polygon covers a triangle on its own corners if
-  /// it has these.
-  bool isCovered(Id face, std::size_t by) const
-  {
-    const Triangle& t = this->surface.triangle(face);
-    const Vec3& a = this->surface.point(t[0]);
-    const Vec3& b = this->surface.point(t[1]);
-    const Vec3& c = this->surface.point(t[2]);
-    return this->holds(by, a) && this->holds(by, b) && this->holds(by, c) &&
-      this->holds(by, 0.5 * (a + b)) && this->holds(by, 0.5 * (b + c)) &&
-      this->holds(by, 0.5 * (c + a)) && this->holds(by, middleOf(this->surface, face));
-  }
-
-  double area2(std::size_t of) const
-  {
-    double area2 = 0.0;
-    for (std::size_t t = this->source.first[of]; t < this->source.first[of + 1]; ++t)
-    {
-      area2 += this->sourceMesh.shape(static_cast<Id>(t)).area2;
-    }
-    return area2;
-  }
-
-  bool holds(std::size_t by, const Vec3& point) const
-  {
-    for (std::size_t t = this->source.first[by]; t < this->source.first[by + 1]; ++t)
-    {
-      const auto triangle = static_cast<Id>(t);
-      const SnappedPoint there = snapToFace(this->sourceMesh, triangle, point, this->precision);
-      const double cut = this->sourceMesh.shape(triangle).roundingOfCuts();
-      if (there.distance <= std::max(there.tolerance, cut))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
+  RankAddress face;
+  std::size_t by;
+  SurfaceCell cell;
+  double area2;
 };
+
+/// Those that a face of the source consists of.
+///
+/// \param inside all that lie in it.
+/// \param area2 twice its area, less a tolerance.
+std::vector<RankAddress> partsOf(const std::vector<FaceInside>& inside, double area2)
+{
+  double all = 0.0;
+  std::map<SurfaceCell, double> ofCells;
+  for (const FaceInside& face : inside)
+  {
+    all += face.area2;
+    ofCells[face.cell] += face.area2;
+  }
+  const bool isCell = std::any_of(
+    ofCells.begin(), ofCells.end(), [area2](const auto& cell) { return cell.second >= area2; });
+  std::vector<RankAddress> parts;
+  for (const FaceInside& face : inside)
+  {
+    if ((isCell ? ofCells[face.cell] : all) >= area2)
+    {
+      parts.push_back(face.face);
+    }
+  }
+  return parts;
+}
 
 } // anonymous namespace
 
-std::vector<LocatedPolyline> pointsInside(const std::vector<LocatedPolyline>& faces)
+SourceFaceMesh::SourceFaceMesh(const std::vector<SourceFace>& faces, double coordinatePrecision)
+  : precision_(coordinatePrecision)
 {
-  const FaceTriangles source(faces);
-  const TriangleMesh mesh(source.points, source.triangles);
-  std::vector<LocatedPolyline> inside;
-  for (const LocatedPolyline& face : faces)
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+  for (std::size_t face = 0; face < faces.size(); ++face)
   {
-    inside.push_back(firstPointOf(face));
-  }
-  std::vector<double> largest(faces.size(), -1.0);
-  for (Id triangle = 0; triangle < mesh.numberOfFaces(); ++triangle)
-  {
-    const std::size_t face = source.faces[mesh.inputFace(triangle)];
-    if (mesh.shape(triangle).area2 > largest[face])
+    const Id offset = static_cast<Id>(points.size());
+    this->first_.push_back(static_cast<Id>(triangles.size()));
+    for (const Triangle& t : triangulatePolygon(faces[face].outline.points).triangles)
     {
-      largest[face] = mesh.shape(triangle).area2;
-      inside[face].points = { middleOf(mesh, triangle) };
+      triangles.push_back({ offset + t[0], offset + t[1], offset + t[2] });
+      this->faces_.push_back(face);
+    }
+    for (const Vec3& point : faces[face].outline.points)
+    {
+      points.push_back(point);
+      this->box_.add(point);
+    }
+  }
+  this->first_.push_back(static_cast<Id>(triangles.size()));
+  this->mesh_ = TriangleMesh(std::move(points), triangles);
+}
+
+std::vector<LocatedPolyline> SourceFaceMesh::pointsInside() const
+{
+  std::vector<LocatedPolyline> inside(this->first_.size() - 1);
+  std::vector<double> largest(inside.size(), -1.0);
+  for (Id triangle = 0; triangle < this->mesh_.numberOfFaces(); ++triangle)
+  {
+    const std::size_t face = this->faces_[triangle];
+    if (this->mesh_.shape(triangle).area2 > largest[face])
+    {
+      largest[face] = this->mesh_.shape(triangle).area2;
+      inside[face].points = { middleOf(this->mesh_, triangle) };
     }
   }
   return inside;
 }
 
-CoveredFaces findCoveredFaces(const MeshPartition& surface,
-  const std::vector<LocatedPolyline>& faces, double coordinatePrecision, const Job& job)
+/// Corners, middles of edges, and the middle: a polygon covers a triangle on its own corners if it
+/// has these.
+bool SourceFaceMesh::covers(std::size_t by, const TriangleMesh& surface, Id face) const
 {
-  const FaceTriangles source(faces);
-  CoveredFaces covered{ {}, std::vector<bool>(faces.size(), false) };
-  if (source.triangles.empty())
+  const Triangle& t = surface.triangle(face);
+  const Vec3& a = surface.point(t[0]);
+  const Vec3& b = surface.point(t[1]);
+  const Vec3& c = surface.point(t[2]);
+  const Vec3 points[] = { a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a),
+    middleOf(surface, face) };
+  return std::all_of(std::begin(points), std::end(points),
+    [&](const Vec3& point) { return this->holds(by, point); });
+}
+
+bool SourceFaceMesh::holds(std::size_t by, const Vec3& point) const
+{
+  for (Id triangle = this->first_[by]; triangle < this->first_[by + 1]; ++triangle)
   {
-    return covered;
+    const SnappedPoint there = snapToFace(this->mesh_, triangle, point, this->precision_);
+    const double cut = this->mesh_.shape(triangle).roundingOfCuts();
+    if (there.distance <= std::max(there.tolerance, cut))
+    {
+      return true;
+    }
   }
+  return false;
+}
+
+double SourceFaceMesh::area2(std::size_t of) const
+{
+  double area2 = 0.0;
+  for (Id triangle = this->first_[of]; triangle < this->first_[of + 1]; ++triangle)
+  {
+    area2 += this->mesh_.shape(triangle).area2;
+  }
+  return area2;
+}
+
+std::vector<std::vector<RankAddress>> SourceFaceMesh::findCovered(
+  const MeshPartition& surface, const std::function<SurfaceCell(Id)>& cellOf, const Job& job) const
+{
   const TriangleMesh& onto = surface.mesh();
   std::vector<Vec3> middles;
   std::vector<std::uint8_t> isWanted;
   for (Id face = surface.firstOwnFace(); face < surface.endOfOwnFaces(); ++face)
   {
     middles.push_back(middleOf(onto, face));
-    isWanted.push_back(source.box.distanceTo(middles.back()) <= onto.shape(face).longest());
+    isWanted.push_back(this->box_.distanceTo(middles.back()) <= onto.shape(face).longest());
   }
-  const TriangleMesh mesh(source.points, source.triangles);
-  const CoverTest test = { onto, source, mesh, coordinatePrecision };
   const ClosestFaces closest =
-    SurfaceLocator(MeshPartition(mesh)).closest(middles, isWanted, coordinatePrecision, job);
-  std::vector<CoveredFace> inside;
-  std::vector<AreaInside> areas(faces.size());
+    SurfaceLocator(MeshPartition(this->mesh_)).closest(middles, isWanted, this->precision_, job);
+  std::vector<FaceInside> own;
   for (Id face = surface.firstOwnFace(); face < surface.endOfOwnFaces(); ++face)
   {
     for (const ClosestFace& found : closest[face - surface.firstOwnFace()])
     {
-      const std::size_t by = source.faces[mesh.inputFace(found.face.id)];
-      const bool isKnown = !inside.empty() && inside.back().face == face && inside.back().by == by;
-      if (!isKnown && test.isCovered(face, by))
+      const std::size_t by = this->faces_[found.face.id];
+      const bool isKnown = !own.empty() && own.back().face.id == face && own.back().by == by;
+      if (!isKnown && this->covers(by, onto, face))
       {
-        inside.push_back({ face, by });
-        areas[by].add({ onto.shape(face).area2, onto.shape(face).area2 });
+        own.push_back({ surface.addressOf(face), by, cellOf(face), onto.shape(face).area2 });
       }
     }
   }
-  areas = areasOfRanks(areas, surface.exchange());
-  std::vector<double> least; // a face that is one of the surface's has no others that lie on it
-  for (std::size_t by = 0; by < faces.size(); ++by)
+  std::vector<std::vector<FaceInside>> inside(this->first_.size() - 1);
+  for (const FaceInside& face : valuesOfRanks(surface.exchange(), own))
   {
-    const double area2 = (1.0 - tolerance::CoveredArea) * test.area2(by);
-    covered.isOnSurface[by] = areas[by].all >= area2;
-    least.push_back(areas[by].largest >= area2 ? area2 : 0.0);
+    inside[face.by].push_back(face);
   }
-  std::copy_if(inside.begin(), inside.end(), std::back_inserter(covered.own),
-    [&](const CoveredFace& found)
-    { return covered.isOnSurface[found.by] && onto.shape(found.face).area2 >= least[found.by]; });
+  std::vector<std::vector<RankAddress>> covered;
+  for (std::size_t by = 0; by < inside.size(); ++by)
+  {
+    covered.push_back(partsOf(inside[by], (1.0 - tolerance::CoveredArea) * this->area2(by)));
+  }
   return covered;
 }
 

@@ -3,42 +3,53 @@
 #define geodesic_CoveredFaces_h
 
 #include "Job.h"
-#include "mesh/MeshPartition.h"
-#include "source/PolylineOnSurface.h"
+#include "PolyData/reading/SourceCells.h"
+#include "mesh/Box.h"
 
+#include <array>
+#include <functional>
 #include <vector>
 
 namespace geodesic
 {
 
-/// A point inside each face, where it is widest, as a polyline of one point.
-std::vector<LocatedPolyline> pointsInside(const std::vector<LocatedPolyline>& faces);
+/// A cell of a surface: its rank, its block there, and its number in the block's input.
+using SurfaceCell = std::array<vtkIdType, 3>;
 
-/// A face of a surface that belongs to a source.
-struct CoveredFace
+/// The faces of a source as a mesh of triangles of their own, which tells where they lie.
+class SourceFaceMesh
 {
-  Id face;
-  /// The source's face that it lies in, by number.
-  std::size_t by;
-};
+public:
+  /// \param faces at least one.
+  /// \param coordinatePrecision relative precision of the points' coordinates.
+  SourceFaceMesh(const std::vector<SourceFace>& faces, double coordinatePrecision);
 
-/// The faces of a surface that faces of a source consist of.
-struct CoveredFaces
-{
-  /// Those that this rank owns, ascending by face; a face may belong to several sources.
-  std::vector<CoveredFace> own;
-  /// For each face of the source whether it consists of faces of the surface. The same on all
-  /// ranks.
-  std::vector<bool> isOnSurface;
-};
+  /// A point inside each face, where it is widest.
+  std::vector<LocatedPolyline> pointsInside() const;
 
-/// Finds the faces of a surface that a source's face covers. The source's face consists of them
-/// within the precision of coordinates: it is one of them, or was cut into them. A source's face
-/// that also lies in parts of other faces covers none. All ranks call this together.
-///
-/// \throws Aborted
-CoveredFaces findCoveredFaces(const MeshPartition& surface,
-  const std::vector<LocatedPolyline>& faces, double coordinatePrecision, const Job& job);
+  /// Finds the faces of a surface, of all ranks, that each face of the source consists of within
+  /// the precision of coordinates. If it is a cell of the surface, which may have been cut, these
+  /// are the cell's own faces, whatever else lies on it; otherwise all that lie in it, if they fill
+  /// it. A source's face that also lies in parts of other faces has none. All ranks call this
+  /// together, and get the same.
+  ///
+  /// \param cellOf a face that this rank owns.
+  /// \throws Aborted
+  std::vector<std::vector<RankAddress>> findCovered(const MeshPartition& surface,
+    const std::function<SurfaceCell(Id)>& cellOf, const Job& job) const;
+
+private:
+  bool covers(std::size_t by, const TriangleMesh& surface, Id face) const;
+  bool holds(std::size_t by, const Vec3& point) const;
+  double area2(std::size_t of) const;
+
+  double precision_;
+  TriangleMesh mesh_;
+  Box box_;
+  /// The face of each triangle, and the first triangle of each face.
+  std::vector<std::size_t> faces_;
+  std::vector<Id> first_;
+};
 
 }
 

@@ -25,13 +25,17 @@ struct CornerOfFace
 
 /// The triangles of faces, on the places of all corners, cut as those of a surface where faces have
 /// no area.
-class CutFaces
+class FaceCutter
 {
 public:
-  explicit CutFaces(const std::vector<LocatedPolyline>& faces)
+  explicit FaceCutter(std::vector<SourceFace>& faces)
     : faces_(faces)
     , isCut_(faces.size(), false)
-    , parts_(faces.size())
+  {
+  }
+
+  /// Makes parts of the triangles that have an area, or of the face itself if it is not cut.
+  void makeParts()
   {
     this->addTriangles();
     std::vector<std::uint64_t> keys; // none in one process
@@ -42,27 +46,36 @@ public:
     {
       this->addPart(parts[i], cut.isEmpty() ? i : cut.triangles[i]);
     }
+    for (std::size_t face = 0; face < this->faces_.size(); ++face)
+    {
+      if (!this->isCut_[face])
+      {
+        this->faces_[face].parts = { this->faces_[face].outline };
+      }
+    }
   }
-
-  bool isCut(std::size_t face) const { return this->isCut_[face]; }
-  /// Those with an area.
-  const std::vector<LocatedPolyline>& partsOf(std::size_t face) const { return this->parts_[face]; }
 
 private:
   void addTriangles()
   {
-    const std::vector<std::vector<std::uint64_t>> corners = numberCorners(this->faces_);
+    std::vector<const LocatedPolyline*> outlines;
+    for (const SourceFace& face : this->faces_)
+    {
+      outlines.push_back(&face.outline);
+    }
+    const std::vector<std::vector<std::uint64_t>> corners = numberCorners(outlines);
     for (std::size_t face = 0; face < corners.size(); ++face)
     {
-      for (std::size_t i = 0; i < corners[face].size(); ++i)
+      const std::vector<Vec3>& points = this->faces_[face].outline.points;
+      for (std::size_t i = 0; i < points.size(); ++i)
       {
         if (corners[face][i] == this->points_.size())
         {
-          this->points_.push_back(this->faces_[face].points[i]);
+          this->points_.push_back(points[i]);
           this->firstAt_.push_back({ face, i });
         }
       }
-      for (const Triangle& t : triangulatePolygon(this->faces_[face].points).triangles)
+      for (const Triangle& t : triangulatePolygon(points).triangles)
       {
         const auto number = [&](std::size_t k) { return static_cast<Id>(corners[face][t[k]]); };
         this->addTriangle({ number(0), number(1), number(2) }, face);
@@ -90,7 +103,7 @@ private:
     this->isCut_[face] = this->isCut_[face] || part != this->triangles_[triangle] || !hasArea;
     if (hasArea)
     {
-      this->parts_[face].push_back(this->polygonOf(part, this->faces_[face]));
+      this->faces_[face].parts.push_back(this->polygonOf(part, this->faces_[face].outline));
     }
   }
 
@@ -104,7 +117,7 @@ private:
     {
       const bool isNew = corner >= this->firstAt_.size();
       const CornerOfFace first = isNew ? CornerOfFace{} : this->firstAt_[corner];
-      const LocatedPolyline& with = this->faces_[first.face];
+      const LocatedPolyline& with = this->faces_[first.face].outline;
       polygon.points.push_back(this->points_[corner]);
       polygon.vertices.push_back(isNew ? NoId : with.vertexOf(first.corner));
       polygon.pointNames.push_back(isNew ? face.name : with.nameOfPoint(first.corner));
@@ -112,7 +125,7 @@ private:
     return polygon;
   }
 
-  const std::vector<LocatedPolyline>& faces_;
+  std::vector<SourceFace>& faces_;
   /// The place with each number, and the first corner there. A cut may add places.
   std::vector<Vec3> points_;
   std::vector<CornerOfFace> firstAt_;
@@ -120,39 +133,23 @@ private:
   std::vector<std::size_t> faceOf_;
   /// Whether a face is not the whole of its triangles as they are.
   std::vector<bool> isCut_;
-  std::vector<std::vector<LocatedPolyline>> parts_;
 };
 
 } // anonymous namespace
 
-std::vector<std::vector<LocatedPolyline>> cutAtFacesWithoutArea(std::vector<LocatedPolyline>& faces)
+void cutAtFacesWithoutArea(std::vector<SourceFace>& faces)
 {
-  const CutFaces cut(faces);
-  std::vector<std::vector<LocatedPolyline>> parts;
-  bool isAnyLeft = false;
-  for (std::size_t face = 0; face < faces.size(); ++face)
+  FaceCutter(faces).makeParts();
+  const auto isWithoutArea = [](const SourceFace& face) { return face.parts.empty(); };
+  if (!std::all_of(faces.begin(), faces.end(), isWithoutArea))
   {
-    parts.push_back(
-      cut.isCut(face) ? cut.partsOf(face) : std::vector<LocatedPolyline>{ faces[face] });
-    isAnyLeft = isAnyLeft || !parts.back().empty();
+    faces.erase(std::remove_if(faces.begin(), faces.end(), isWithoutArea), faces.end());
+    return;
   }
-  std::size_t left = 0;
-  for (std::size_t face = 0; face < faces.size(); ++face)
+  for (SourceFace& face : faces)
   {
-    if (!isAnyLeft)
-    {
-      parts[face] = { faces[face] };
-    }
-    if (!parts[face].empty())
-    {
-      std::swap(faces[left], faces[face]);
-      std::swap(parts[left], parts[face]);
-      ++left;
-    }
+    face.parts = { face.outline };
   }
-  faces.resize(left);
-  parts.resize(left);
-  return parts;
 }
 
 }

@@ -2,7 +2,7 @@
 #ifndef geodesic_CutSourceFaces_h
 #define geodesic_CutSourceFaces_h
 
-#include "source/PolylineOnSurface.h"
+#include "PolyData/reading/SourceCells.h"
 
 #include <vector>
 
@@ -10,11 +10,9 @@ namespace geodesic
 {
 
 /// Removes faces without area, unless none has an area, and cuts the others at their points, as
-/// those of a surface (removeFacesWithoutArea()).
-///
-/// \returns for each face that is left its parts: itself unless it is cut.
-std::vector<std::vector<LocatedPolyline>> cutAtFacesWithoutArea(
-  std::vector<LocatedPolyline>& faces);
+/// those of a surface (removeFacesWithoutArea()): SourceFace::parts become the parts, or the face
+/// itself where it is not cut.
+void cutAtFacesWithoutArea(std::vector<SourceFace>& faces);
 
 }
 

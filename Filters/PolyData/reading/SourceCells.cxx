@@ -142,10 +142,10 @@ struct SourceBlockReader
   }
 
   /// \param number of the cell, or point, that it is of.
-  void add(vtkIdType size, const vtkIdType* ids, vtkIdType number, const PartName& name,
-    std::vector<LocatedPolyline>& to)
+  LocatedPolyline polylineOf(
+    vtkIdType size, const vtkIdType* ids, vtkIdType number, const PartName& name)
   {
-    LocatedPolyline& line = to.emplace_back();
+    LocatedPolyline line;
     line.name = name;
     line.source = static_cast<Id>(this->first + number);
     for (vtkIdType i = 0; i < size; ++i)
@@ -153,12 +153,13 @@ struct SourceBlockReader
       addPoint(this->block, ids[i], this->surface, this->cells.precision, line);
       this->isUsed[static_cast<std::size_t>(ids[i])] = 1;
     }
+    return line;
   }
 
   void addVertex(vtkIdType point, vtkIdType number)
   {
     const PartName name = this->block.name.part("point", point);
-    this->add(1, &point, number, name, this->cells.polylines);
+    this->cells.polylines.push_back(this->polylineOf(1, &point, number, name));
     this->cells.polylines.back().pointNames = { name };
   }
 
@@ -168,11 +169,13 @@ struct SourceBlockReader
       ids, ids + size, [this](vtkIdType point) { this->addVertex(point, this->inputCell()); });
   }
 
-  void addCurve(vtkIdType size, const vtkIdType* ids, bool closed, std::vector<LocatedPolyline>& to)
+  LocatedPolyline curveOf(vtkIdType size, const vtkIdType* ids, bool closed)
   {
     const vtkIdType number = this->inputCell();
-    this->add(size, ids, number, this->block.name.part("cell", number), to);
-    to.back().closed = closed && size > 2;
+    LocatedPolyline curve =
+      this->polylineOf(size, ids, number, this->block.name.part("cell", number));
+    curve.closed = closed && size > 2;
+    return curve;
   }
 
   void addLine(vtkIdType size, const vtkIdType* ids)
@@ -182,12 +185,19 @@ struct SourceBlockReader
       this->cells.lines.push_back(this->cells.polylines.size());
     }
     const bool closed = size > 3 && ids[0] == ids[size - 1];
-    this->addCurve(closed ? size - 1 : size, ids, closed, this->cells.polylines);
+    this->cells.polylines.push_back(this->curveOf(closed ? size - 1 : size, ids, closed));
   }
 
   void addPolygon(vtkIdType size, const vtkIdType* ids)
   {
-    this->addCurve(size, ids, true, size > 2 ? this->cells.faces : this->cells.polylines);
+    if (size > 2)
+    {
+      this->cells.faces.push_back({ this->curveOf(size, ids, true) });
+    }
+    else
+    {
+      this->cells.polylines.push_back(this->curveOf(size, ids, false));
+    }
   }
 
   void addStrip(vtkIdType size, const vtkIdType* ids)
@@ -215,20 +225,6 @@ SourceCells readSourceCells(
     cells.names.insert(cells.names.end(), block.partNames.begin(), block.partNames.end());
   }
   std::sort(cells.numbers.begin(), cells.numbers.end());
-  for (const std::vector<LocatedPolyline>* lines : { &cells.polylines, &cells.faces })
-  {
-    for (const LocatedPolyline& line : *lines)
-    {
-      const auto far = std::find_if(line.points.begin(), line.points.end(),
-        [](const Vec3& point) { return !(norm(point) < Infinity); });
-      if (far != line.points.end())
-      {
-        throw InputError(
-          line.nameOfPoint(static_cast<std::size_t>(far - line.points.begin())).atBeginning() +
-          " is too far from the surface for its size. Scale or move the source upstream.");
-      }
-    }
-  }
   return cells;
 }
 
@@ -248,6 +244,11 @@ void addPoint(const PolyDataBlock& block, vtkIdType point, const PolyDataSurface
   Vec3 p;
   block.data->GetPoint(point, p.data());
   line.points.push_back(surface.scale.toEngine(p));
+  if (isFinite(p) && !(norm(line.points.back()) < Infinity))
+  {
+    throw InputError(block.name.part("point", point).atBeginning() +
+      " is too far from the surface for its size. Scale or move it upstream.");
+  }
   if (!block.originalPoints.empty())
   {
     line.vertices.push_back(

@@ -3,6 +3,7 @@
 #define geodesic_SourceCells_h
 
 #include "PolyData/PolyDataBlocks.h"
+#include "mesh/MeshPartition.h"
 #include "source/PolylineOnSurface.h"
 
 #include "vtkType.h"
@@ -15,6 +16,17 @@ namespace geodesic
 
 struct PolyDataSurface;
 
+/// A face of a source: a polygon, or a triangle of a strip.
+struct SourceFace
+{
+  /// A closed polyline that is not located. LocatedPolyline::source is that of its region.
+  LocatedPolyline outline;
+  /// What the outlines of regions are made of: see cutAtFacesWithoutArea().
+  std::vector<LocatedPolyline> parts = {};
+  /// The faces of the surface that it consists of, of all ranks; see SourceFaceMesh.
+  std::vector<RankAddress> covered = {};
+};
+
 /// The cells of a source, or of sets of targets, on the surface's scale. Cells are numbered over
 /// all blocks in their order; in a block that is a set of points, points are.
 struct SourceCells
@@ -24,8 +36,7 @@ struct SourceCells
   std::vector<LocatedPolyline> polylines;
   /// Which of these are cells of two points.
   std::vector<std::size_t> lines;
-  /// Polygons, and the triangles of strips.
-  std::vector<LocatedPolyline> faces;
+  std::vector<SourceFace> faces;
   /// The numbers of all that belong to the source, ascending: not of a point that no vertex cell of
   /// a set of points has, but of a cell of a vtkPolyData without points, which has no polyline.
   std::vector<vtkIdType> numbers;

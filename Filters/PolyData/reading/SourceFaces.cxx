@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <iterator>
 #include <numeric>
 #include <set>
@@ -54,41 +55,51 @@ std::vector<FaceEdge> edgesOf(const std::vector<std::vector<std::uint64_t>>& cor
   return edges;
 }
 
-/// The region of each face is the first face in it.
-class RegionsOfFaces
+/// The region of each face, which is the first face in it. Faces with one value are one region and,
+/// if they are joined, those with a common edge.
+std::vector<std::size_t> findRegions(
+  const std::vector<vtkIdType>& values, const std::vector<FaceEdge>& edges, bool areJoined)
 {
-public:
-  explicit RegionsOfFaces(std::size_t count)
-    : parents_(count)
+  std::vector<std::size_t> regions(values.size());
+  std::iota(regions.begin(), regions.end(), std::size_t{ 0 });
+  const auto regionOf = [&regions](std::size_t face)
   {
-    std::iota(this->parents_.begin(), this->parents_.end(), std::size_t{ 0 });
-  }
-
-  std::size_t of(std::size_t face)
-  {
-    while (this->parents_[face] != face)
+    while (regions[face] != face)
     {
-      this->parents_[face] = this->parents_[this->parents_[face]];
-      face = this->parents_[face];
+      face = regions[face] = regions[regions[face]];
     }
     return face;
-  }
-  void join(std::size_t a, std::size_t b)
+  };
+  const auto join = [&](std::size_t a, std::size_t b)
   {
-    const auto [first, other] = std::minmax({ this->of(a), this->of(b) });
-    this->parents_[other] = first;
+    const auto [first, other] = std::minmax({ regionOf(a), regionOf(b) });
+    regions[other] = first;
+  };
+  std::unordered_map<vtkIdType, std::size_t> withValue;
+  for (std::size_t face = 0; face < values.size(); ++face)
+  {
+    join(withValue.emplace(values[face], face).first->second, face);
   }
+  for (std::size_t i = 1; areJoined && i < edges.size(); ++i)
+  {
+    if (edges[i].ends == edges[i - 1].ends)
+    {
+      join(edges[i].face, edges[i - 1].face);
+    }
+  }
+  for (std::size_t& region : regions)
+  {
+    region = regionOf(region);
+  }
+  return regions;
+}
 
-private:
-  std::vector<std::size_t> parents_;
-};
-
-LocatedPolyline lineAlong(const LocatedPolyline& face, std::size_t corner)
+LocatedPolyline cornersOf(const LocatedPolyline& face, std::initializer_list<std::size_t> corners)
 {
   LocatedPolyline line;
   line.name = face.name;
   line.source = face.source;
-  for (const std::size_t i : { corner, (corner + 1) % face.points.size() })
+  for (const std::size_t i : corners)
   {
     line.points.push_back(face.points[i]);
     line.vertices.push_back(face.vertexOf(i));
@@ -99,27 +110,23 @@ LocatedPolyline lineAlong(const LocatedPolyline& face, std::size_t corner)
 
 /// Whether each face repeats another of its region, as a ghost cell does.
 std::vector<bool> findRepeats(
-  RegionsOfFaces& regions, std::vector<std::vector<std::uint64_t>> corners)
+  const std::vector<std::size_t>& regions, std::vector<std::vector<std::uint64_t>> corners)
 {
   std::set<std::vector<std::uint64_t>> known;
   std::vector<bool> isRepeat;
   for (std::size_t face = 0; face < corners.size(); ++face)
   {
     std::sort(corners[face].begin(), corners[face].end());
-    corners[face].push_back(regions.of(face));
+    corners[face].push_back(regions[face]);
     isRepeat.push_back(!known.insert(std::move(corners[face])).second);
   }
   return isRepeat;
 }
 
 /// The edges that only one face of a region uses, apart from those that repeat another.
-std::vector<FaceEdge> outlinesOf(RegionsOfFaces& regions,
-  const std::vector<std::vector<std::uint64_t>>& corners, std::vector<FaceEdge> edges)
+std::vector<FaceEdge> outlinesOf(const std::vector<std::size_t>& regions,
+  const std::vector<bool>& isRepeat, const std::vector<FaceEdge>& edges)
 {
-  const std::vector<bool> isRepeat = findRepeats(regions, corners);
-  edges.erase(std::remove_if(edges.begin(), edges.end(),
-                [&](const FaceEdge& edge) { return isRepeat[edge.face]; }),
-    edges.end());
   std::vector<FaceEdge> outlines;
   std::unordered_map<std::size_t, std::size_t> uses;
   for (auto edge = edges.begin(); edge != edges.end();)
@@ -127,9 +134,10 @@ std::vector<FaceEdge> outlinesOf(RegionsOfFaces& regions,
     const auto next = std::find_if(
       edge, edges.end(), [&](const FaceEdge& other) { return other.ends != edge->ends; });
     uses.clear();
-    std::for_each(edge, next, [&](const FaceEdge& use) { ++uses[regions.of(use.face)]; });
+    std::for_each(edge, next,
+      [&](const FaceEdge& use) { uses[regions[use.face]] += isRepeat[use.face] ? 0 : 1; });
     std::copy_if(edge, next, std::back_inserter(outlines),
-      [&](const FaceEdge& use) { return uses[regions.of(use.face)] == 1; });
+      [&](const FaceEdge& use) { return !isRepeat[use.face] && uses[regions[use.face]] == 1; });
     edge = next;
   }
   return outlines;
@@ -137,71 +145,64 @@ std::vector<FaceEdge> outlinesOf(RegionsOfFaces& regions,
 
 } // anonymous namespace
 
-std::vector<std::vector<std::uint64_t>> numberCorners(const std::vector<LocatedPolyline>& faces)
+std::vector<std::vector<std::uint64_t>> numberCorners(
+  const std::vector<const LocatedPolyline*>& faces)
 {
   using Place = std::array<double, 4>;
   std::unordered_map<Place, std::uint64_t, Hash> numbers;
-  std::vector<std::vector<std::uint64_t>> corners(faces.size());
-  for (std::size_t face = 0; face < faces.size(); ++face)
+  std::vector<std::vector<std::uint64_t>> corners;
+  for (const LocatedPolyline* face : faces)
   {
-    for (std::size_t i = 0; i < faces[face].points.size(); ++i)
+    std::vector<std::uint64_t>& ofFace = corners.emplace_back();
+    for (std::size_t i = 0; i < face->points.size(); ++i)
     {
-      const Vec3 p = faces[face].points[i] + Vec3{}; // -0 and 0 are one place
-      const Place place = { p[0], p[1], p[2], static_cast<double>(faces[face].vertexOf(i)) };
-      corners[face].push_back(numbers.emplace(place, numbers.size()).first->second);
+      const Vec3 p = face->points[i] + Vec3{}; // -0 and 0 are one place
+      const Place place = { p[0], p[1], p[2], static_cast<double>(face->vertexOf(i)) };
+      ofFace.push_back(numbers.emplace(place, numbers.size()).first->second);
     }
   }
   return corners;
 }
 
-LocatedPolyline firstPointOf(const LocatedPolyline& face)
+void makeRegions(SourceCells& cells, bool areJoined)
 {
-  LocatedPolyline point = lineAlong(face, 0);
-  point.points.pop_back();
-  point.vertices.pop_back();
-  point.pointNames.pop_back();
-  return point;
-}
-
-void makeRegions(std::vector<LocatedPolyline>& faces, const std::vector<vtkIdType>& values,
-  bool areJoined, std::vector<LocatedPolyline>& polylines)
-{
-  RegionsOfFaces regions(faces.size());
-  std::unordered_map<vtkIdType, std::size_t> withValue;
-  for (std::size_t face = 0; face < faces.size(); ++face)
+  std::vector<const LocatedPolyline*> faces; // the parts of all
+  std::vector<SourceFace*> wholes;
+  std::vector<vtkIdType> values;
+  for (SourceFace& face : cells.faces)
   {
-    regions.join(withValue.emplace(values[face], face).first->second, face);
+    for (const LocatedPolyline& part : face.parts)
+    {
+      faces.push_back(&part);
+      wholes.push_back(&face);
+      values.push_back(cells.valueOf(part.source));
+    }
   }
   const std::vector<std::vector<std::uint64_t>> corners = numberCorners(faces);
   const std::vector<FaceEdge> edges = edgesOf(corners);
-  for (std::size_t i = 1; areJoined && i < edges.size(); ++i)
-  {
-    if (edges[i].ends == edges[i - 1].ends)
-    {
-      regions.join(edges[i].face, edges[i - 1].face);
-    }
-  }
-  for (std::size_t face = 0; face < faces.size(); ++face)
-  {
-    faces[face].source = faces[regions.of(face)].source;
-  }
+  const std::vector<std::size_t> regions = findRegions(values, edges, areJoined);
   std::vector<std::size_t> lines;
   std::vector<vtkIdType> regionOfLine;
   std::vector<bool> hasOutline(faces.size(), false);
-  for (const FaceEdge& edge : outlinesOf(regions, corners, edges))
+  const auto add = [&](std::size_t face, std::initializer_list<std::size_t> points)
   {
-    const std::size_t region = regions.of(edge.face);
-    hasOutline[region] = true;
-    lines.push_back(polylines.size());
-    regionOfLine.push_back(static_cast<vtkIdType>(region));
-    polylines.push_back(lineAlong(faces[edge.face], edge.corner));
+    cells.polylines.push_back(cornersOf(*faces[face], points));
+    cells.polylines.back().source = faces[regions[face]]->source;
+  };
+  for (const FaceEdge& edge : outlinesOf(regions, findRepeats(regions, corners), edges))
+  {
+    hasOutline[regions[edge.face]] = true;
+    lines.push_back(cells.polylines.size());
+    regionOfLine.push_back(static_cast<vtkIdType>(regions[edge.face]));
+    add(edge.face, { edge.corner, (edge.corner + 1) % corners[edge.face].size() });
   }
-  joinLines(polylines, lines, regionOfLine);
+  joinLines(cells.polylines, lines, regionOfLine);
   for (std::size_t face = 0; face < faces.size(); ++face)
   {
-    if (regions.of(face) == face && !hasOutline[face])
+    wholes[face]->outline.source = faces[regions[face]]->source;
+    if (regions[face] == face && !hasOutline[face])
     {
-      polylines.push_back(firstPointOf(faces[face]));
+      add(face, { 0 });
     }
   }
 }

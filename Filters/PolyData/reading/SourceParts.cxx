@@ -18,8 +18,6 @@ namespace geodesic
 namespace
 {
 
-using PartsOfFaces = std::vector<std::vector<LocatedPolyline>>;
-
 std::string textOfEmpty(const PartsRequest& from, vtkIdType droppedCells)
 {
   if (from.targets)
@@ -39,72 +37,77 @@ std::string textOfEmpty(const PartsRequest& from, vtkIdType droppedCells)
          "a curve with at least one point, or set Source Type to Surface Boundary.";
 }
 
-/// The numbers of cells that have a polyline or a face, or no points, ascending.
+/// The numbers of cells that have a polyline, as all regions have, or no points, ascending.
 std::vector<vtkIdType> numbersLeft(const SourceCells& cells)
 {
   std::vector<vtkIdType> numbers = cells.withoutPoints;
-  for (const std::vector<LocatedPolyline>* lines : { &cells.polylines, &cells.faces })
-  {
-    std::transform(lines->begin(), lines->end(), std::back_inserter(numbers),
-      [](const LocatedPolyline& line) { return static_cast<vtkIdType>(line.source); });
-  }
+  std::transform(cells.polylines.begin(), cells.polylines.end(), std::back_inserter(numbers),
+    [](const LocatedPolyline& line) { return static_cast<vtkIdType>(line.source); });
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return numbers;
 }
 
-/// Whether each face of a source lies in barriers. A face that the surface has is what it is there;
-/// any other is what is closest to a point inside of it. All ranks call this together.
-std::vector<bool> areInBarriers(const PartsRequest& from, const Job& job, const SourceCells& cells)
+/// SourceFaceMesh::findCovered() among the open faces of a surface, or among its barriers.
+std::vector<std::vector<RankAddress>> findCovered(
+  const SourceFaceMesh& mesh, const PolyDataSurface& surface, bool amongBarriers, const Job& job)
 {
-  const Job searched = job.part(1.0, 1.0);
-  const std::vector<LocatedPolyline> inside = pointsInside(cells.faces);
+  const auto cellOf = [&](Id face) -> SurfaceCell
+  {
+    const auto [block, cell] = surface.inputCellOf(
+      amongBarriers ? surface.triangleOfBarrier(face) : surface.triangleOf(face));
+    return { surface.exchange().rank(), static_cast<vtkIdType>(block), cell };
+  };
+  return mesh.findCovered(
+    amongBarriers ? surface.barriers->surface() : surface.partition, cellOf, job);
+}
+
+/// Leaves out faces that lie in barriers, which are no faces of the surface. A face that the
+/// surface has is what it is there; any other is what is closest to a point inside of it. All ranks
+/// call this together.
+///
+/// \throws InputError if they are all of the source.
+void leaveOutFacesInBarriers(
+  const PartsRequest& from, const Job& job, const SourceFaceMesh& mesh, SourceCells& cells)
+{
+  const std::vector<LocatedPolyline> inside = mesh.pointsInside();
   const LocatedPlaces places = from.locator.locate(inside, cells.precision, job);
   // Thin faces, too, lie in one or in the other: no rim.
   const std::vector<RankAddress> barriers =
     from.surface.barriers->barriersAt(places.places, places.faces, cells.precision, 0.0);
-  const auto haveFaces = [&](const MeshPartition& surface)
-  { return findCoveredFaces(surface, cells.faces, cells.precision, searched).isOnSurface; };
-  const std::vector<bool> isBarrier = haveFaces(from.surface.barriers->surface());
-  const std::vector<bool> isOpen = haveFaces(from.surface.partition);
-  std::vector<bool> isIn;
-  for (std::size_t i = 0; i < inside.size(); ++i)
+  const std::vector<std::vector<RankAddress>> covered =
+    findCovered(mesh, from.surface, true, job.part(1.0, 1.0));
+  std::vector<SourceFace> left;
+  for (std::size_t i = 0; i < covered.size(); ++i)
   {
     // An open face of another sheet may go through a barrier's middle.
     const bool isClosest = barriers[places.indexOf(inside[i].points.front())].id != NoId;
-    isIn.push_back(isClosest || (isBarrier[i] && !isOpen[i]));
-  }
-  return isIn;
-}
-
-/// Leaves out faces that lie in barriers, which are no faces of the surface. All ranks call this
-/// together.
-///
-/// \throws InputError if they are all of the source.
-void leaveOutFacesInBarriers(
-  const PartsRequest& from, const Job& job, SourceCells& cells, PartsOfFaces& parts)
-{
-  if (!from.surface.barriers || cells.faces.empty())
-  {
-    return;
-  }
-  const std::vector<bool> isIn = areInBarriers(from, job, cells);
-  std::size_t left = 0;
-  for (std::size_t i = 0; i < isIn.size(); ++i)
-  {
-    if (!isIn[i])
+    if (!isClosest && (covered[i].empty() || !cells.faces[i].covered.empty()))
     {
-      std::swap(cells.faces[left], cells.faces[i]);
-      std::swap(parts[left], parts[i]);
-      ++left;
+      left.push_back(std::move(cells.faces[i]));
     }
   }
-  cells.faces.resize(left);
-  parts.resize(left);
+  cells.faces = std::move(left);
   if (cells.isEmpty())
   {
     throw InputError("All of the source (input port 1) lies in barriers (BarrierArrayName), which "
                      "no path may leave. Choose faces outside of barriers.");
+  }
+}
+
+/// Finds where faces lie. All ranks call this together.
+void placeFaces(const PartsRequest& from, const Job& job, SourceCells& cells)
+{
+  const SourceFaceMesh mesh(cells.faces, cells.precision);
+  std::vector<std::vector<RankAddress>> covered =
+    findCovered(mesh, from.surface, false, job.part(0.0, 0.0));
+  for (std::size_t i = 0; i < covered.size(); ++i)
+  {
+    cells.faces[i].covered = std::move(covered[i]);
+  }
+  if (from.surface.barriers && !from.targets)
+  {
+    leaveOutFacesInBarriers(from, job, mesh, cells);
   }
 }
 
@@ -117,26 +120,6 @@ void joinLines(SourceCells& cells)
     values.push_back(cells.values.empty() ? 0 : cells.valueOf(cells.polylines[line].source));
   }
   joinLines(cells.polylines, cells.lines, values);
-}
-
-/// Makes regions of faces of one value; without values, of those with a common edge, if they are
-/// joined.
-void joinFaces(const PartsOfFaces& partsOfFaces, bool areJoined, SourceCells& cells)
-{
-  std::vector<LocatedPolyline> parts;
-  std::vector<vtkIdType> values;
-  for (const std::vector<LocatedPolyline>& ofFace : partsOfFaces)
-  {
-    parts.insert(parts.end(), ofFace.begin(), ofFace.end());
-    values.insert(values.end(), ofFace.size(), cells.valueOf(ofFace.front().source));
-  }
-  makeRegions(parts, values, areJoined && cells.values.empty(), cells.polylines);
-  auto part = parts.begin();
-  for (std::size_t face = 0; face < cells.faces.size(); ++face)
-  {
-    cells.faces[face].source = part->source;
-    part += static_cast<std::ptrdiff_t>(partsOfFaces[face].size());
-  }
 }
 
 /// Makes one part of the cells of one value.
@@ -152,12 +135,13 @@ PartIds makeParts(SourceCells& cells)
   parts.idEnd = parts.areNamed ? ids.back() + 1 : cells.end;
   const auto placeOf = [&](vtkIdType number)
   { return std::lower_bound(ids.begin(), ids.end(), cells.valueOf(number)) - ids.begin(); };
-  for (std::vector<LocatedPolyline>* lines : { &cells.polylines, &cells.faces })
+  for (LocatedPolyline& line : cells.polylines)
   {
-    for (LocatedPolyline& line : *lines)
-    {
-      line.source = static_cast<Id>(placeOf(line.source));
-    }
+    line.source = static_cast<Id>(placeOf(line.source));
+  }
+  for (SourceFace& face : cells.faces)
+  {
+    face.outline.source = static_cast<Id>(placeOf(face.outline.source));
   }
   parts.names.resize(cells.names.empty() ? 0 : ids.size());
   for (auto i = cells.numbers.rbegin(); !cells.names.empty() && i != cells.numbers.rend(); ++i)
@@ -171,9 +155,9 @@ PartIds makeParts(SourceCells& cells)
 void leaveOutPointsInBarriers(const std::vector<RankAddress>& barriers, SourceParts& read)
 {
   std::vector<bool> isRegion(read.parts.ids.size(), false); // a point may stand for all of one
-  for (const LocatedPolyline& face : read.faces)
+  for (const SourceFace& face : read.faces)
   {
-    isRegion[face.source] = true;
+    isRegion[face.outline.source] = true;
   }
   const auto isOut = [&](const LocatedPolyline& line)
   {
@@ -190,16 +174,11 @@ std::string nameOfBarrier(const PartsRequest& from, const RankAddress& face)
 {
   const PolyDataSurface& surface = from.surface;
   Exchange& exchange = surface.exchange();
-  Message message;
-  if (face.rank == exchange.rank())
-  {
-    const std::string own =
-      surface.nameOfCell(surface.triangleOfBarrier(face.id), from.surfaceBlocks);
-    put(message, own.data(), own.size());
-  }
-  const Message answer = exchange.tellAll(message)[rankIndex(face.rank)];
-  std::string name(answer.size(), ' ');
-  MessageReader(answer).get(name.data(), name.size());
+  const std::string own = face.rank == exchange.rank()
+    ? surface.nameOfCell(surface.triangleOfBarrier(face.id), from.surfaceBlocks)
+    : "";
+  const std::vector<char> told = valuesOfRanks(exchange, std::vector<char>(own.begin(), own.end()));
+  const std::string name(told.begin(), told.end());
   return surface.partition.isDistributed() ? name + " on rank " + std::to_string(face.rank) : name;
 }
 
@@ -253,18 +232,19 @@ SourceParts readParts(const PartsRequest& from, const Job& job)
   {
     throw InputError(textOfEmpty(from, read.droppedCells));
   }
-  PartsOfFaces partsOfFaces = cutAtFacesWithoutArea(read.faces);
+  cutAtFacesWithoutArea(read.faces);
   const double facesLocated = from.surface.barriers && !from.targets ? 0.2 : 0.0;
-  if (!from.targets)
+  if (!read.faces.empty())
   {
-    leaveOutFacesInBarriers(from, job.part(0.0, facesLocated), read, partsOfFaces);
+    placeFaces(from, job.part(0.0, facesLocated), read);
   }
   if (from.areLinesJoined)
   {
     joinLines(read);
   }
-  joinFaces(partsOfFaces, from.areLinesJoined, read);
-  if (from.areLinesJoined && read.values.empty())
+  const bool areJoined = from.areLinesJoined && read.values.empty();
+  makeRegions(read, areJoined);
+  if (areJoined)
   {
     read.numbers = numbersLeft(read);
   }

@@ -25,11 +25,6 @@ std::vector<LocatedPolyline> readPoints(const std::vector<PolyDataBlock>& blocks
     for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
     {
       addPoint(block, i, surface, precision, points.emplace_back());
-      if (!(norm(points.back().points.front()) < Infinity))
-      {
-        throw InputError(block.name.part("point", i).atBeginning() +
-          " is too far from the surface for its size. Scale or move it upstream.");
-      }
     }
   }
   if (points.empty())

@@ -97,10 +97,6 @@ void requireMemoryOf(const std::vector<SourceCurve>& curves, std::size_t otherPo
   requireMemory(static_cast<vtkIdType>(size), 4 * (4 * sizeof(double) + 3 * sizeof(vtkIdType)));
 }
 
-constexpr const char* TooLong =
-  "Paths on the surface (input port 0) are longer than numbers can be. Scale the surface, the "
-  "source and the targets upstream.";
-
 /// Adds a cell array with one value a path.
 template <typename Array, typename ValueOf>
 void addArray(const char* name, const std::vector<PathOfTarget>& paths, const ValueOf& valueOf,
@@ -143,9 +139,9 @@ vtkNew<vtkDoubleArray> writeLines(const PowerOfTwoScale& scale,
       job.reachItem(static_cast<std::size_t>(point) - i - 1, static_cast<std::size_t>(size));
       length += i + 1 < places.size() ? norm(places[i + 1] - places[i]) : 0.0;
       left->SetValue(
-        point - static_cast<vtkIdType>(places.size() - i), scale.resultToUser(length, TooLong));
+        point - static_cast<vtkIdType>(places.size() - i), scale.distanceToUser(length));
     }
-    lengths->SetValue(static_cast<vtkIdType>(path), scale.resultToUser(length, TooLong));
+    lengths->SetValue(static_cast<vtkIdType>(path), scale.distanceToUser(length));
   }
   output->SetPoints(points);
   output->SetLines(lines);
