@@ -10,6 +10,8 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 using namespace geodesictest;
 using geodesic::FanAround;
@@ -197,5 +199,48 @@ TEST(FanAround, OfACurveWithASegmentWithoutLengthAnglesAreThoseOfTheOthers)
     EXPECT_NEAR(solved.distance(vertex), 0.5, 1e-12);
     EXPECT_NEAR(solved.angle(vertex), vertex == 0 ? -0.5 * geodesic::Pi : 0.5 * geodesic::Pi, 1e-9);
     EXPECT_EQ(solved.isRight(vertex), vertex == 0);
+  }
+}
+
+// At the centre of a disc, in the wide sector above the ends at 340 and 200 degrees.
+TEST(FanAround, AnglesAreScaledBetweenEndsThatContinueEachOtherOnly)
+{
+  const PlainMesh plain = fan(Sectors, geodesic::Pi / 3.0, 1);
+  const TriangleMesh mesh = engineMesh(plain);
+  const SurfacePoint centre = SurfacePoint::atVertex(0);
+  constexpr double degree = geodesic::Pi / 180.0;
+  const auto directionOf = [&](double angle)
+  {
+    const auto sector = static_cast<Id>(angle / 60.0);
+    const double turn = (angle - 60.0 * static_cast<double>(sector)) * degree;
+    const Id corner = mesh.cornerAt(sector, 0);
+    return std::make_pair(corner, geodesic::Vec2{ std::cos(turn), std::sin(turn) });
+  };
+  const auto end = [&](double angle, Id curve, double parameter, bool isBeginning)
+  {
+    const auto [corner, direction] = directionOf(angle);
+    const Id face = TriangleMesh::faceOf(corner);
+    const SurfacePoint to =
+      fromBarycentric(mesh, face, geodesic::fromHalfedgeFrame(mesh, corner, 0.3 * direction));
+    return SegmentEnd{ centre, to, face, curve, parameter, isBeginning };
+  };
+  const std::vector<SegmentEnd> one = { end(200, 0, 0.7, false), end(340, 0, 0.7, true) };
+  const std::vector<SegmentEnd> twoThatCross = { end(200, 1, 0.7, false), end(250, 0, 0.7, false),
+    end(290, 1, 0.7, true), end(340, 0, 0.7, true) };
+  const std::vector<SegmentEnd> oneThatCrossesItself = { end(200, 0, 2.7, false),
+    end(250, 0, 0.7, false), end(290, 0, 2.7, true), end(340, 0, 0.7, true) };
+  for (const double turn : { 20.0, 70.0, 100.0, 120.0, 200.0 })
+  {
+    SCOPED_TRACE(turn);
+    const auto angleAmong = [&](const std::vector<SegmentEnd>& ends)
+    {
+      const FanAround around(mesh, { centre, ends, 0, 0.7 });
+      const auto [corner, direction] = directionOf(std::fmod(340.0 + turn, 360.0));
+      return around.angleFromCurve(around.angleOf(corner, direction)) / degree;
+    };
+    const double ofNearer = turn < 110.0 ? turn : 180.0 - (220.0 - turn);
+    EXPECT_NEAR(angleAmong(one), turn * 180.0 / 220.0, 1e-9);
+    EXPECT_NEAR(angleAmong(twoThatCross), ofNearer, 1e-9);
+    EXPECT_NEAR(angleAmong(oneThatCrossesItself), ofNearer, 1e-9);
   }
 }
