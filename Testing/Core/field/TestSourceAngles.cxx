@@ -94,8 +94,9 @@ void compare(const Answer& a, const Answer& b, double scale, double bend, Tally&
 
 TEST_P(SourceAngles, AreThoseOfTracedPaths)
 {
+  constexpr std::uint64_t meshes = 12; // of fewer, one with many ties would be over the limits
   Tally tally;
-  for (std::uint64_t seed = 0; seed < meshesOfAKind(12); ++seed)
+  for (std::uint64_t seed = 0; seed < meshes; ++seed)
   {
     const RandomCase c = randomCase(GetParam(), seed, NumberOfQueries);
     const double largest = largestFinite(c.truth.vertices);
