@@ -85,12 +85,12 @@ public:
 
   ///@{
   /**
-   * Name of an array of strings or integers of the source, in the place of one for
-   * SourceIdArrayName, that says what its parts are called: their columns have these names. Parts
-   * that are one source go by the first one's name. A name that another column has is followed by
-   * "_" and the source's id: of two points 3 and 5 called "Cz" the columns are "Cz" and "Cz_5".
-   * Without a name, as loops of the boundary are, a column is "Source" and the id. Empty (null),
-   * the default, and "None" stand for no such array.
+   * Name of an array of strings or integers that says what the source's parts are called: their
+   * columns have these names. It belongs to the points of a set of points, and to the cells of any
+   * other data set. Parts that are one source go by the first one's name. A name that another
+   * column has is followed by "_" and the source's id: of two points 3 and 5 called "Cz" the
+   * columns are "Cz" and "Cz_5". Without a name, as loops of the boundary are, a column is "Source"
+   * and the id. Empty (null), the default, and "None" stand for no such array.
    */
   vtkSetStringMacro(SourceNameArrayName);
   vtkGetStringMacro(SourceNameArrayName);

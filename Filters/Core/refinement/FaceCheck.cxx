@@ -241,7 +241,7 @@ FaceCheck::Inside FaceCheck::search(const LinearPiece& piece, double limit, bool
 double FaceCheck::halve(const Node& node)
 {
   const std::array<Vec2, 3>& c = node.piece.corners;
-  const std::size_t k = longestSide(c);
+  const std::size_t k = longestSide(lengthsOf(c));
   const std::size_t next = (k + 1) % 3;
   const Vec2 middle = 0.5 * (c[k] + c[next]);
   const double value = 0.5 * (node.piece.values[k] + node.piece.values[next]);

@@ -278,8 +278,8 @@ void FaceRefiner::halveLongest(const OpenPart& open)
   for (;;)
   {
     const FaceTriangles::Part& p = this->face_->parts()[part];
-    const std::array<Vec2, 3> places = this->face_->places(p.corners);
-    const std::size_t k = longestSide(places);
+    const auto lengths = lengthsOf(this->face_->places(p.corners));
+    const std::size_t k = longestSide(lengths);
     const Id other = p.across[k];
     if (other == NoId)
     {
@@ -287,8 +287,7 @@ void FaceRefiner::halveLongest(const OpenPart& open)
         open, this->faces_.pieceBetween(*this->face_, p.corners[k], p.corners[(k + 1) % 3]), 0.5);
       return;
     }
-    if (!(longestEdge(this->face_->places(this->face_->parts()[other].corners)) >
-          longestEdge(places)))
+    if (!(longestEdge(this->face_->places(this->face_->parts()[other].corners)) > lengths[k]))
     {
       this->splitInside(open, part, k, 0.5);
       return;

@@ -20,9 +20,10 @@ inline std::array<double, 3> lengthsOf(const std::array<Vec2, 3>& c)
 }
 
 /// The first of the longest sides.
-inline std::size_t longestSide(const std::array<Vec2, 3>& c)
+///
+/// \param lengths of the sides, from lengthsOf().
+inline std::size_t longestSide(const std::array<double, 3>& lengths)
 {
-  const std::array<double, 3> lengths = lengthsOf(c);
   return static_cast<std::size_t>(
     std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
 }

@@ -26,6 +26,16 @@ namespace
 
 constexpr Index Sectors = 6;
 
+/// A segment of a curve from the centre of a disc into the face of a corner there.
+SegmentEnd segmentFromCentre(const TriangleMesh& mesh, Id corner, geodesic::Vec2 direction,
+  Id curve, double parameter, bool isBeginning)
+{
+  const Id face = TriangleMesh::faceOf(corner);
+  const SurfacePoint to =
+    fromBarycentric(mesh, face, geodesic::fromHalfedgeFrame(mesh, corner, 0.3 * direction));
+  return { SurfacePoint::atVertex(0), to, face, curve, parameter, isBeginning };
+}
+
 /// A disc in which one face has the opposite orientation, and a segment that leaves its centre.
 class TurnedFaceInDisc
 {
@@ -44,14 +54,9 @@ public:
   /// With a segment in a face, at a fraction of the face's angle from the corner's halfedge.
   FanAround sides(Index behindTurned, double fraction) const
   {
-    const Id at = this->corner(behindTurned);
-    const Id face = TriangleMesh::faceOf(at);
-    const SurfacePoint to = fromBarycentric(
-      this->mesh_, face, geodesic::fromHalfedgeFrame(this->mesh_, at, 0.3 * direction(fraction)));
-    const SurfacePoint centre = SurfacePoint::atVertex(0);
-    return { this->mesh_,
-      { centre, { { centre, to, face, Left.curve, Left.parameter, true } }, Own.curve,
-        Own.parameter } };
+    const SegmentEnd end = segmentFromCentre(this->mesh_, this->corner(behindTurned),
+      direction(fraction), Left.curve, Left.parameter, true);
+    return { this->mesh_, { SurfacePoint::atVertex(0), { end }, Own.curve, Own.parameter } };
   }
   static geodesic::Vec2 direction(double fraction)
   {
@@ -207,7 +212,6 @@ TEST(FanAround, AnglesAreScaledBetweenEndsThatContinueEachOtherOnly)
 {
   const PlainMesh plain = fan(Sectors, geodesic::Pi / 3.0, 1);
   const TriangleMesh mesh = engineMesh(plain);
-  const SurfacePoint centre = SurfacePoint::atVertex(0);
   constexpr double degree = geodesic::Pi / 180.0;
   const auto directionOf = [&](double angle)
   {
@@ -219,10 +223,7 @@ TEST(FanAround, AnglesAreScaledBetweenEndsThatContinueEachOtherOnly)
   const auto end = [&](double angle, Id curve, double parameter, bool isBeginning)
   {
     const auto [corner, direction] = directionOf(angle);
-    const Id face = TriangleMesh::faceOf(corner);
-    const SurfacePoint to =
-      fromBarycentric(mesh, face, geodesic::fromHalfedgeFrame(mesh, corner, 0.3 * direction));
-    return SegmentEnd{ centre, to, face, curve, parameter, isBeginning };
+    return segmentFromCentre(mesh, corner, direction, curve, parameter, isBeginning);
   };
   const std::vector<SegmentEnd> one = { end(200, 0, 0.7, false), end(340, 0, 0.7, true) };
   const std::vector<SegmentEnd> twoThatCross = { end(200, 1, 0.7, false), end(250, 0, 0.7, false),
@@ -234,7 +235,7 @@ TEST(FanAround, AnglesAreScaledBetweenEndsThatContinueEachOtherOnly)
     SCOPED_TRACE(turn);
     const auto angleAmong = [&](const std::vector<SegmentEnd>& ends)
     {
-      const FanAround around(mesh, { centre, ends, 0, 0.7 });
+      const FanAround around(mesh, { SurfacePoint::atVertex(0), ends, 0, 0.7 });
       const auto [corner, direction] = directionOf(std::fmod(340.0 + turn, 360.0));
       return around.angleFromCurve(around.angleOf(corner, direction)) / degree;
     };
