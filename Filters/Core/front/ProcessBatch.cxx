@@ -196,12 +196,24 @@ void remember(FrontContext& front, FrontWorker& worker, District& district, Id h
   }
 }
 
+// A window that comes to a face again ends, as no shortest path crosses a face twice. Within
+// rounding, each turn around a tube would also bring corners and edges a shorter way.
+void dropReturning(WindowBlock& block, Id face)
+{
+  Window* const end = block.data + block.size;
+  Window* const left =
+    std::remove_if(block.data, end, [face](const Window& w) { return w.crossed == face; });
+  block.size = static_cast<std::uint32_t>(left - block.data);
+}
+
 // Sends a list that has waited through its face, and what leaves the face to the next ones.
 void passThroughFace(
   FrontContext& front, FrontWorker& worker, District& district, const HalfedgeList& waited)
 {
   const Id halfedge = waited.halfedge;
   WindowBlock block = waited.windows;
+  const Id number = front.surface.globalFace(TriangleMesh::faceOf(halfedge));
+  dropReturning(block, number);
   mergeNeighboursOf(front, worker, halfedge, block);
   const WindowRange list = block.range();
   if (list.size() == 0)
@@ -215,6 +227,7 @@ void passThroughFace(
     remember(front, worker, district, halfedge, list);
   }
   UnfoldedFace face = unfold(front.mesh, halfedge);
+  face.number = number;
   if (front.options.keepAngles)
   {
     face.findTurns();

@@ -224,8 +224,10 @@ private:
     this->firstOwnFace = this->mesh.firstFaceFrom(this->firstTriangle);
     this->endOfOwnFaces =
       this->mesh.firstFaceFrom(static_cast<Id>(this->firstTriangle + triangles.size()));
-    this->numberOfGlobalFaces = checkedId(
-      sumOverRanks(this->exchange_, this->endOfOwnFaces - this->firstOwnFace).all, "faces");
+    const SumsOverRanks owned =
+      sumOverRanks(this->exchange_, this->endOfOwnFaces - this->firstOwnFace);
+    this->numberOfGlobalFaces = checkedId(owned.all, "faces");
+    this->firstGlobalFace = static_cast<Id>(owned.before);
   }
 
   // Asks the owners for their numbers of the faces of the halo, which are known by their triangles.

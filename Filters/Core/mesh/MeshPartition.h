@@ -150,6 +150,11 @@ public:
   {
     return this->tables_ ? this->tables_->numberOfGlobalFaces : this->mesh_->numberOfFaces();
   }
+  /// The number of a face that this rank owns among those of all ranks.
+  Id globalFace(Id face) const
+  {
+    return this->tables_ ? face - this->firstOwnFace_ + this->tables_->firstGlobalFace : face;
+  }
   /// The rank that counts a vertex: the lowest one that has it.
   int rankCounting(Id globalId) const;
   /// The vertex with this global id if this rank counts it, else NoId.
@@ -177,6 +182,7 @@ private:
     Id endOfOwnFaces = 0;
     Id numberOfOwnVertices = 0;
     Id numberOfGlobalVertices = 0;
+    Id firstGlobalFace = 0;
     Id numberOfGlobalFaces = 0;
     /// Ascending within a rank.
     std::vector<RankAddress> halo;

@@ -43,7 +43,7 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFac
   const double parameter = isRight ? segment.parameterOfB + origin : segment.parameterOfA - origin;
   addLeavingWindow(mesh, halfedge, interval,
     { 0.0, 0.0, -t.y, t.x, sigma, 0.0, Window::Kind::Linear, 0,
-      RayOrigin::curveSide(segment.curve, isRight), RayStart::atParameter(parameter) },
+      RayOrigin::curveSide(segment.curve, isRight), NoId, RayStart::atParameter(parameter) },
     windows);
 }
 

@@ -125,7 +125,7 @@ inline void leaveThrough(
     child.end = ends.second();
     child.sourceX = source.first();
     child.sourceDepth = source.second();
-    ++child.facesCrossed; // is below its maximum
+    child.cross(exit.face.number);
     if (exit.hasTurn)
     {
       child.start = RayStart::atAngle(w.start.angle() + w.origin.aroundPoint(exit.turn));

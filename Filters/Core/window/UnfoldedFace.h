@@ -12,7 +12,7 @@ namespace geodesic
 
 /// The window in another frame, one face farther, on an interval there. Unfolding is a rigid
 /// motion: it moves the source, without computing it again from distances.
-inline Window moved(const Window& window, Vec2 origin, Vec2 axis, double begin, double end)
+inline Window moved(const Window& window, Id face, Vec2 origin, Vec2 axis, double begin, double end)
 {
   Window w = window;
   w.begin = begin;
@@ -32,7 +32,7 @@ inline Window moved(const Window& window, Vec2 origin, Vec2 axis, double begin, 
     w.sourceDepth = dx * axis.y + dy * axis.x;
   }
   w.sourceDepth = std::max(w.sourceDepth, 0.0);
-  w.facesCrossed = (window.facesCrossed + 1) & MaximumFacesCrossed;
+  w.cross(face);
   return w;
 }
 
@@ -42,6 +42,8 @@ inline Window moved(const Window& window, Vec2 origin, Vec2 axis, double begin, 
 /// halfedge's destination.
 struct UnfoldedFace
 {
+  /// By which windows know the face again (Window::crossed); NoId if they need not.
+  Id number = NoId;
   double length;
   double leftLength;
   double rightLength;
@@ -85,12 +87,12 @@ struct UnfoldedFace
   /// halfedge's origin to the apex, with the face below it.
   Window throughLeft(const Window& window, double begin, double end) const
   {
-    return moved(window, { 0.0, 0.0 }, this->leftAxis, begin, end);
+    return moved(window, this->number, { 0.0, 0.0 }, this->leftAxis, begin, end);
   }
   /// The window behind the right edge. The x axis runs from the apex to the halfedge's destination.
   Window throughRight(const Window& window, double begin, double end) const
   {
-    return moved(window, this->apex, this->rightAxis, begin, end);
+    return moved(window, this->number, this->apex, this->rightAxis, begin, end);
   }
 };
 

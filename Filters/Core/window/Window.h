@@ -5,6 +5,7 @@
 #include "Tolerance.h"
 #include "Trigonometry.h"
 #include "Types.h"
+#include "window/ErrorBound.h"
 #include "window/RayOrigin.h"
 #include "window/TwoDoubles.h"
 
@@ -69,7 +70,7 @@ struct Window
   double sigma;
   /// The path behind this window is longer than the window's distance by at most this; 0 in the
   /// exact field.
-  double error;
+  ErrorBound error;
   Kind kind : 2;
   /// Number of faces crossed since the source. A shortest path crosses no face twice, so this
   /// number is bounded, and propagation ends.
@@ -77,11 +78,21 @@ struct Window
   /// Where its rays start: on a side of a curve if it is linear, else at a vertex as a
   /// pseudo-source or at a point of a curve. Distances do not depend on it.
   RayOrigin origin = {};
+  /// One of the last eight faces that it has crossed (MeshPartition::globalFace()); NoId if none is
+  /// known. A window that comes to this face again ends: rays would wind around the thin tube that
+  /// caps are, back to back, up to the limit of faces crossed.
+  Id crossed = NoId;
   /// Linear: the curve's parameter where the ray through the halfedge's origin starts. Circular
   /// from a curve's point: the angle of the x axis around the point, if the front keeps angles;
   /// else unused.
   RayStart start = {};
 
+  /// Crosses one face more. Each eighth is kept in mind: thin tubes have fewer.
+  void cross(Id face)
+  {
+    this->crossed = this->facesCrossed % 8 == 0 ? face : this->crossed;
+    this->facesCrossed = (this->facesCrossed + 1) & MaximumFacesCrossed; // is below it
+  }
   /// Lets no ray go on behind the halfedge's face: the window only tells distances in this face.
   void endHere() { this->facesCrossed = MaximumFacesCrossed; }
 

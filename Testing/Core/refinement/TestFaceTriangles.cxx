@@ -118,7 +118,9 @@ TEST(RefinedFaces, AFaceThatIsNotRefinedIsClosedBetweenThePointsOnItsEdges)
 namespace
 {
 
-/// Refines a surface with caps and points beside each other. \returns the seconds of a processor.
+/// Solves on and refines a surface with caps and points beside each other.
+///
+/// \returns the seconds of a processor.
 double refineAnySurface(Random& random)
 {
   constexpr double most = 10.0; // seconds of a processor
@@ -138,6 +140,7 @@ double refineAnySurface(Random& random)
   {
     return 0.0;
   }
+  const std::clock_t begin = std::clock();
   geodesic::FrontOptions options;
   options.relativeError = random.chance(0.3) ? 0.01 : 0.0;
   // Faces may be many times longer than any distance.
@@ -152,7 +155,6 @@ double refineAnySurface(Random& random)
     return 0.0;
   }
   const auto field = solveForRefinement(mesh, curves, tolerance, options);
-  const std::clock_t begin = std::clock(); // the front may make very many windows in a pocket
   const geodesic::RefinedMesh refined = refineTo(field, tolerance);
   const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   EXPECT_LT(seconds, most) << refined.triangles.size() << " triangles";
@@ -176,9 +178,13 @@ TEST(RefinementOfAnySurface, EndsSoon)
   std::cout << "the slowest took " << worst << " s\n";
 }
 
-// Its edges have thousands of windows: 19 s, when each was compared with all.
+// The edges of the first have thousands of windows: 19 s, when each was compared with all. On the
+// others rays wind around tubes of caps, back to back: minutes, when they did so to the end.
 TEST(RefinementOfAnySurface, EndsSoonWhereThousandsOfWindowsCoverAnEdge)
 {
-  Random random(140244);
-  EXPECT_LT(refineAnySurface(random), 5.0);
+  for (const std::uint64_t seed : { 140244U, 132911U, 137807U, 143061U, 146272U, 147286U, 141167U })
+  {
+    Random random(seed);
+    EXPECT_LT(refineAnySurface(random), 5.0) << "seed " << seed;
+  }
 }

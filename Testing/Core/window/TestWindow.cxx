@@ -154,6 +154,48 @@ TEST(Window, ReversedItsRaysStartAtTheSamePlaceOfTheSameSideAndAtTheSameAngle)
   }
 }
 
+TEST(Window, ItKnowsAgainOneOfTheFacesOfATubeOfEight)
+{
+  for (const Id facesOfTheTube : { 1U, 2U, 4U, 7U, 8U })
+  {
+    for (const Id before : { 0U, 3U, 8U, 20U }) // faces on the way there
+    {
+      Window w = circularWindow(0.0, 1.0, 0.5, 1.0);
+      for (Id face = 0; face < before; ++face)
+      {
+        EXPECT_NE(w.crossed, face);
+        w.cross(face);
+      }
+      const auto faceOfTheTube = [&](Id i) { return before + i % facesOfTheTube; };
+      Id i = 0;
+      for (; w.crossed != faceOfTheTube(i) && i < 100; ++i)
+      {
+        w.cross(faceOfTheTube(i));
+      }
+      EXPECT_GE(i, facesOfTheTube);
+      EXPECT_LE(i, 7 + facesOfTheTube);
+      EXPECT_EQ(w.facesCrossed, before + i);
+    }
+  }
+}
+
+TEST(Window, ItsErrorIsRoundedUpByAMillionthAtMost)
+{
+  Random random(11);
+  for (int i = 0; i < Windows; ++i)
+  {
+    const double error = std::pow(10.0, random.uniform(-300.0, 300.0));
+    const geodesic::ErrorBound bound = error;
+    EXPECT_GE(bound, error);
+    EXPECT_LE(bound, error * (1.0 + 1e-6));
+    EXPECT_EQ(geodesic::ErrorBound(bound), double(bound));
+  }
+  for (const double error : { 0.0, 1.0, geodesic::Infinity })
+  {
+    EXPECT_EQ(geodesic::ErrorBound(error), error);
+  }
+}
+
 TEST(Interval, AClipKeepsWhatSatisfiesTheCondition)
 {
   Random random(6);

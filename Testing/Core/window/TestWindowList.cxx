@@ -224,10 +224,12 @@ TEST(WindowList, PencilsOfOneSourceFromTwoListsBecomeOneAndKeepTheLargerError)
       left.end = 0.5;
       left.error = 0.25 - error;
       left.facesCrossed = 3;
+      left.crossed = 1;
       Window right = whole;
       right.begin = 0.5;
       right.error = error;
       right.facesCrossed = error > 0.0 ? 5 : 2;
+      right.crossed = 2;
       right.sourceX *= 1.0 + 8.0 * Epsilon; // as after some unfoldings around a vertex
       WindowListBuilder builder;
       builder.reset(1.0);
@@ -239,6 +241,7 @@ TEST(WindowList, PencilsOfOneSourceFromTwoListsBecomeOneAndKeepTheLargerError)
       EXPECT_EQ(one.end, 1.0);
       EXPECT_EQ(one.error, 0.25) << "the larger of the two";
       EXPECT_EQ(one.facesCrossed, error > 0.0 ? 3u : 2u) << "the smaller: a longer way drops none";
+      EXPECT_EQ(one.crossed, geodesic::NoId) << "not a face that only one of them has crossed";
     }
   }
 }

@@ -54,6 +54,8 @@ Pair randomPair(Random& random)
   pair.right.error = random.chance(0.5) ? 0.0 : random.uniform(0.0, 0.01);
   pair.left.facesCrossed = 3;
   pair.right.facesCrossed = 4;
+  pair.left.crossed = 1;
+  pair.right.crossed = random.chance(0.5) ? 1 : 2;
   return pair;
 }
 
@@ -108,6 +110,7 @@ TEST(WindowMerge, AMergedWindowIsNowhereAboveItsOriginalsAndItsErrorIsTheLargest
     EXPECT_EQ(merged.begin, pair.left.begin);
     EXPECT_EQ(merged.end, pair.right.end);
     EXPECT_EQ(merged.facesCrossed, 4u);
+    EXPECT_EQ(merged.crossed, pair.right.crossed == 1 ? 1 : geodesic::NoId);
     const double size = 1.0 + pair.left.sigma + pair.right.sigma;
     EXPECT_TRUE(merged.isLinear() || merged.sigma >= -Accuracy) << "a pseudo-source's distance";
     const Extended begin = merged.begin;
