@@ -118,20 +118,22 @@ void CheckHelpers(Check& check)
   for (int run = 0; run < 20 && Refused == 0; ++run)
   {
     const auto filter = FilterOf(surface);
-    filter->RefineMeshOff();
-    filter->SetSourceTypeToSurfaceBoundary();
     Messages messages(filter);
-    // From the solve on, when the threads are those of the team.
+    // While the threads are those of the team: the front is split only where that pays at the time,
+    // the faces to refine always are.
     bool armed = true;
     Listener listener(filter, vtkCommand::ProgressEvent,
-      [&] { RefuseToHelpers = armed && filter->GetProgress() > 0.25; });
+      [&]
+      {
+        const double progress = filter->GetProgress();
+        RefuseToHelpers = armed && progress > 0.25 && progress < 0.95;
+      });
     messages.Update();
     armed = false;
     RefuseToHelpers = false;
     if (Refused > 0)
     {
       CheckRefused(check, filter, messages, "no memory on a helping thread");
-      filter->SetSourceTypeToSourceCurve();
       CheckRight(check, filter, "no memory on a helping thread");
     }
   }
