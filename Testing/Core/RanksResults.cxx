@@ -129,7 +129,7 @@ public:
   NearestAsker(const CutMesh& cut, const Scene& scene)
     : scene_(scene)
     , answers_(cut.mesh.points.size() + scene.queries.size())
-    , isAnswered_(answers_.size(), false)
+    , answeredBy_(answers_.size(), cut.numberOfRanks)
   {
     onRanks(cut, scene.curves, scene.disorder, [this](const RankOfRun& rank) { this->ask(rank); });
   }
@@ -178,17 +178,22 @@ private:
     }
     const std::lock_guard<std::mutex> lock(this->mutex_);
     Nearest& known = this->answers_[i];
-    EXPECT_TRUE(!this->isAnswered_[i] ||
+    int& by = this->answeredBy_[i]; // the lowest rank yet, if any
+    EXPECT_TRUE(by == rank.exchange.numberOfRanks() ||
       std::tie(known.isKnown, known.curve, known.isRight, known.place) ==
         std::tie(answer.isKnown, answer.curve, answer.isRight, answer.place))
       << "point " << i << ": ranks differ, or fields with and without windows";
-    known = answer;
-    this->isAnswered_[i] = true;
+    // Where gradients tie, ranks have different ones: the lowest's counts, whichever comes last.
+    if (rank.exchange.rank() <= by)
+    {
+      known = answer;
+      by = rank.exchange.rank();
+    }
   }
 
   const Scene& scene_;
   std::vector<Nearest> answers_;
-  std::vector<bool> isAnswered_;
+  std::vector<int> answeredBy_;
   std::mutex mutex_;
 };
 
