@@ -24,8 +24,9 @@ constexpr double LeastAngleFraction = 0.5;
 constexpr double AngleMargin = 1.05;
 
 // A triangle is not split for its shape unless its sides differ by more than this factor: so no
-// side gets shorter than the shortest one, and splitting ends.
-constexpr double UnequalSides = 2.0;
+// side gets much shorter than the shortest one. Of a cap, both other sides may be half as long as
+// the longest.
+constexpr double UnequalSides = 1.9;
 
 // A face may be split this often for its shapes, and this often more for each point that errors
 // need.

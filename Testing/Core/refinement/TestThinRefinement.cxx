@@ -175,6 +175,18 @@ TEST(RefinementBesideThinTriangles, KeepsTheAnglesOfARoundOne)
   checkRefinement(plate, random);
 }
 
+// A point inside a thin face, over the middle of a long piece of its side, made a cap with it.
+TEST(RefinementInThinTriangles, LeavesNoCapOnASide)
+{
+  for (const auto& [make, seed] : { std::pair(strips, 990048U), std::pair(tallCone, 990128U) })
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const PlainMesh thin = make(random);
+    checkRefinement(thin, random);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, ThinRefinement,
   ::testing::Values(ThinKind{ "Strips", strips }, ThinKind{ "Torus", thinTorus },
     ThinKind{ "Cone", tallCone }, ThinKind{ "PlateWithHole", plateWithHole }),
