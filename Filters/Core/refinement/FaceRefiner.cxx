@@ -238,10 +238,11 @@ void FaceRefiner::mendShape(const OpenPart& open)
   const Vec2 near = places[isNearBegin ? k : next];
   const Vec2 along = (1.0 / lengths[k]) * (places[isNearBegin ? next : k] - near);
   const double height = std::abs(cross(along, places[apex] - near));
-  // No piece may be shorter than the shortest side.
+  // No piece may be shorter than the shortest side, or, of a cap, than half of the piece.
+  const double half = 0.5 * lengths[k];
   const double way =
     std::clamp(dot(along, places[apex] - near) + height / tangent(AngleMargin * this->leastAngle_),
-      least, 0.5 * lengths[k]);
+      std::min(least, half), half);
   const PieceOfEdge piece =
     this->faces_.pieceBetween(*this->face_, part.corners[k], part.corners[next]);
   const double weight = way / lengths[k];

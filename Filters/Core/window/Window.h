@@ -93,6 +93,11 @@ struct Window
     this->crossed = this->facesCrossed % 8 == 0 ? face : this->crossed;
     this->facesCrossed = (this->facesCrossed + 1) & MaximumFacesCrossed; // is below it
   }
+  /// Of two windows that become this one: a face that only one of them has crossed is not known.
+  void forgetUnlessCrossedBy(const Window& other)
+  {
+    this->crossed = this->crossed == other.crossed ? this->crossed : NoId;
+  }
   /// Lets no ray go on behind the halfedge's face: the window only tells distances in this face.
   void endHere() { this->facesCrossed = MaximumFacesCrossed; }
 

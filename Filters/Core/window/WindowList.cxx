@@ -217,7 +217,7 @@ void WindowListBuilder::appendOfOther(const Window& window)
   Window& last = this->windows_.back();
   last.end = std::max(last.end, window.end);
   last.error = std::max(last.error, window.error);
-  last.crossed = last.crossed == window.crossed ? last.crossed : NoId;
+  last.forgetUnlessCrossedBy(window);
   // If the pencil has returned on another way, the shorter path counts.
   last.facesCrossed = std::min<Id>(last.facesCrossed, window.facesCrossed) & MaximumFacesCrossed;
 }

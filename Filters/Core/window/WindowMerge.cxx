@@ -223,7 +223,7 @@ bool merge(
   w.end = p.end;
   w.facesCrossed =
     std::max<Id>(left.window->facesCrossed, right.window->facesCrossed) & MaximumFacesCrossed;
-  w.crossed = w.crossed == right.window->crossed ? w.crossed : NoId;
+  w.forgetUnlessCrossedBy(*right.window);
   MeasuredWindow ends = measured(w);
   EndValues& begin = ends.begin;
   EndValues& end = ends.end;
