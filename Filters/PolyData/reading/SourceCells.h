@@ -21,9 +21,10 @@ struct SourceFace
 {
   /// A closed polyline that is not located. LocatedPolyline::source is that of its region.
   LocatedPolyline outline;
-  /// What the outlines of regions are made of: see cutAtFacesWithoutArea().
+  /// Its triangles, and what the outlines of regions are made of: see cutAtFacesWithoutArea().
+  std::vector<Triangle> triangles = {};
   std::vector<LocatedPolyline> parts = {};
-  /// The faces of the surface that it consists of, of all ranks; see SourceFaceMesh.
+  /// The faces of the surface that it consists of, of all ranks; see placeFaces().
   std::vector<RankAddress> covered = {};
 };
 

@@ -2,7 +2,6 @@
 #include "PolyData/reading/SourceParts.h"
 
 #include "PolyData/reading/CoveredFaces.h"
-#include "PolyData/reading/CutSourceFaces.h"
 #include "PolyData/reading/LineChains.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/SourceFaces.h"
@@ -46,69 +45,6 @@ std::vector<vtkIdType> numbersLeft(const SourceCells& cells)
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return numbers;
-}
-
-/// SourceFaceMesh::findCovered() among the open faces of a surface, or among its barriers.
-std::vector<std::vector<RankAddress>> findCovered(
-  const SourceFaceMesh& mesh, const PolyDataSurface& surface, bool amongBarriers, const Job& job)
-{
-  const auto cellOf = [&](Id face) -> SurfaceCell
-  {
-    const auto [block, cell] = surface.inputCellOf(
-      amongBarriers ? surface.triangleOfBarrier(face) : surface.triangleOf(face));
-    return { surface.exchange().rank(), static_cast<vtkIdType>(block), cell };
-  };
-  return mesh.findCovered(
-    amongBarriers ? surface.barriers->surface() : surface.partition, cellOf, job);
-}
-
-/// Leaves out faces that lie in barriers, which are no faces of the surface. A face that the
-/// surface has is what it is there; any other is what is closest to a point inside of it. All ranks
-/// call this together.
-///
-/// \throws InputError if they are all of the source.
-void leaveOutFacesInBarriers(
-  const PartsRequest& from, const Job& job, const SourceFaceMesh& mesh, SourceCells& cells)
-{
-  const std::vector<LocatedPolyline> inside = mesh.pointsInside();
-  const LocatedPlaces places = from.locator.locate(inside, cells.precision, job);
-  // Thin faces, too, lie in one or in the other: no rim.
-  const std::vector<RankAddress> barriers =
-    from.surface.barriers->barriersAt(places.places, places.faces, cells.precision, 0.0);
-  const std::vector<std::vector<RankAddress>> covered =
-    findCovered(mesh, from.surface, true, job.part(1.0, 1.0));
-  std::vector<SourceFace> left;
-  for (std::size_t i = 0; i < covered.size(); ++i)
-  {
-    // An open face of another sheet may go through a barrier's middle.
-    const bool isClosest = barriers[places.indexOf(inside[i].points.front())].id != NoId;
-    if (!isClosest && (covered[i].empty() || !cells.faces[i].covered.empty()))
-    {
-      left.push_back(std::move(cells.faces[i]));
-    }
-  }
-  cells.faces = std::move(left);
-  if (cells.isEmpty())
-  {
-    throw InputError("All of the source (input port 1) lies in barriers (BarrierArrayName), which "
-                     "no path may leave. Choose faces outside of barriers.");
-  }
-}
-
-/// Finds where faces lie. All ranks call this together.
-void placeFaces(const PartsRequest& from, const Job& job, SourceCells& cells)
-{
-  const SourceFaceMesh mesh(cells.faces, cells.precision);
-  std::vector<std::vector<RankAddress>> covered =
-    findCovered(mesh, from.surface, false, job.part(0.0, 0.0));
-  for (std::size_t i = 0; i < covered.size(); ++i)
-  {
-    cells.faces[i].covered = std::move(covered[i]);
-  }
-  if (from.surface.barriers && !from.targets)
-  {
-    leaveOutFacesInBarriers(from, job, mesh, cells);
-  }
 }
 
 /// Joins lines of one value, or all, to curves.
