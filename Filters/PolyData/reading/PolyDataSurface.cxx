@@ -4,10 +4,35 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace geodesic
 {
+
+void SurfaceReport::addRanks(const MeshPartition& partition)
+{
+  // An edge counts on the rank that owns its first face.
+  const Id end = TriangleMesh::halfedgeOf(partition.endOfOwnFaces(), 0);
+  for (Id h = TriangleMesh::halfedgeOf(partition.firstOwnFace(), 0); h < end; ++h)
+  {
+    this->edges += partition.mesh().edgeOf(h) == h ? 1 : 0;
+  }
+  const std::vector<SurfaceReport> reports = valuesOfRanks(partition.exchange(), *this);
+  this->cellOfFirstCrossing = reports.size() > 1 ? -1 : this->cellOfFirstCrossing;
+  using Report = SurfaceReport;
+  for (vtkIdType Report::*count :
+    { &Report::droppedVertexCells, &Report::droppedLineCells, &Report::facesWithRepeatedPoint,
+      &Report::crossingOutlines, &Report::joinedSeamPoints, &Report::crackEdges, &Report::edges })
+  {
+    this->*count = std::accumulate(reports.begin(), reports.end(), vtkIdType(0),
+      [count](vtkIdType sum, const Report& report) { return sum + report.*count; });
+  }
+  for (const Report& report : reports)
+  {
+    this->crackWidth = std::max(this->crackWidth, report.crackWidth);
+  }
+}
 
 std::vector<GlobalVertex> PolyDataSurface::remoteVertices() const
 {

@@ -155,6 +155,8 @@ struct SurfaceReport
   /// The edges of the mesh.
   vtkIdType edges = 0;
 
+  /// Makes the report of one rank's piece that of all ranks, which call this together.
+  void addRanks(const MeshPartition& partition);
   void addCrossingOutline(std::size_t block, vtkIdType cell)
   {
     if (this->crossingOutlines++ == 0)

@@ -21,7 +21,7 @@ namespace geodesic
 namespace
 {
 
-using Label = RankLabels::Label;
+using Label = PieceVertices::Label;
 
 /// A vertex that may be one with others.
 struct SeamVertex
@@ -161,7 +161,7 @@ std::vector<SeamVertex> findCandidates(
     {
       numbers[vertex] = static_cast<Id>(candidates.size());
       SeamVertex& added = candidates.emplace_back();
-      added.label = surface.vertices.labels.of(vertex);
+      added.label = surface.vertices.labelOf(vertex);
       added.position = position;
       added.isNearGhost = isNearGhost;
     }
@@ -193,7 +193,7 @@ std::vector<SeamEdge> addTriangles(
   const SeamSurface& surface, const std::vector<Id>& numbers, std::vector<SeamVertex>& candidates)
 {
   std::vector<SeamEdge> edges;
-  const RankLabels& labels = surface.vertices.labels;
+  const PieceVertices& vertices = surface.vertices;
   forEachTriangle(surface,
     [&](const Triangle& t, std::size_t block, bool isGhost)
     {
@@ -207,8 +207,8 @@ std::vector<SeamEdge> addTriangles(
         addCorner(surface, t, k, block, isGhost, candidates[number]);
         if (const Id next = t[(k + 1) % 3]; !isGhost && numbers[next] != NoId)
         {
-          const auto [low, high] = std::minmax({ labels.of(t[k]), labels.of(next) });
-          edges.push_back({ low, high, labels.of(t[(k + 2) % 3]) });
+          const auto [low, high] = std::minmax({ vertices.labelOf(t[k]), vertices.labelOf(next) });
+          edges.push_back({ low, high, vertices.labelOf(t[(k + 2) % 3]) });
         }
       }
     });
@@ -377,12 +377,12 @@ const SeamVertex& firstOf(const Group& group, const std::vector<SeamVertex>& ver
 ///        all.
 void join(const std::map<Label, const SeamVertex*>& firsts, PieceVertices& vertices)
 {
-  std::vector<Label>& labels = vertices.labels.labels;
+  std::vector<Label>& labels = vertices.labels;
   std::vector<Id> same(vertices.positions.size());
   std::iota(same.begin(), same.end(), Id(0));
   for (Id vertex = 0; vertex < same.size(); ++vertex)
   {
-    const auto found = firsts.find(vertices.labels.of(vertex));
+    const auto found = firsts.find(vertices.labelOf(vertex));
     if (found == firsts.end())
     {
       continue;
@@ -394,7 +394,7 @@ void join(const std::map<Label, const SeamVertex*>& firsts, PieceVertices& verti
     }
     else
     {
-      labels[vertex] = found->second->label | RankLabels::Shared;
+      labels[vertex] = found->second->label | PieceVertices::Shared;
     }
   }
   vertices.join(same);
