@@ -170,10 +170,11 @@ struct InputReader
     }
     const Job locating = this->execution.begin(Stage::LocateSource);
     SourcePatch faces(this->inputs.surface->partition);
-    std::optional<SurfaceBoundary> boundary;
+    std::vector<SourceCurve> loops;
     if (this->request.fromBoundary)
     {
-      boundary.emplace(*this->inputs.surface, faces, locating.part(0.0, hasCurve ? 0.0 : 1.0));
+      loops = boundaryOfAllFaces(*this->inputs.surface);
+      faces.addBoundary(loops);
     }
     if (hasCurve)
     {
@@ -183,9 +184,9 @@ struct InputReader
     {
       this->inputs.patch = faces.make();
     }
-    if (boundary)
+    if (this->request.fromBoundary)
     {
-      this->addBoundary(boundary->curvesOn(*this->inputs.patch), hasCurve);
+      this->addBoundary(std::move(loops), hasCurve);
     }
   }
 
@@ -273,16 +274,20 @@ struct InputReader
   void addBoundary(std::vector<SourceCurve> loops, bool hasCurve) const
   {
     Sources& sources = this->inputs.sources;
+    const ReplicatedPatch& patch = *this->inputs.patch;
+    const Id globalIds = this->inputs.surface->partition.numberOfGlobalVertices();
     for (SourceCurve& loop : loops)
     {
       loop.source = static_cast<Id>(sources.ids.size());
       sources.ids.push_back(sources.idEnd++);
+      for (SurfacePoint& point : loop.points)
+      {
+        // Vertices that only barriers have keep their numbers, behind those of the patch.
+        point.id = point.id < globalIds ? patch.vertexAt(point.id) : point.id;
+      }
     }
     const bool isClosed = loops.empty();
-    if (this->inputs.surface->barriers)
-    {
-      loops = boundaryOutsideBarriers(loops, this->inputs.patch->mesh());
-    }
+    loops = boundaryOutsideBarriers(loops, patch.mesh());
     const std::string nothing = isClosed
       ? "The surface (input port 0) is closed: it has no boundary to measure from."
       : "The whole boundary of the surface (input port 0) belongs to barriers (BarrierArrayName), "

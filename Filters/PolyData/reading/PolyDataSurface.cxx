@@ -53,31 +53,6 @@ std::vector<GlobalVertex> PolyDataSurface::remoteVertices() const
   return vertices;
 }
 
-MeshPartition PolyDataSurface::partitionWithBarriers(
-  std::vector<Id>& globalIds, const Job& job) const
-{
-  std::vector<Triangle> faces;
-  for (Id i = 0; i < this->numberOfParts; ++i)
-  {
-    if (!this->isCopy(i))
-    {
-      faces.push_back(this->verticesAt(i));
-    }
-  }
-  const std::vector<GlobalVertex> remote = this->remoteVertices();
-  const Id inMesh = this->mesh().numberOfVertices();
-  std::vector<Vec3> points;
-  globalIds.clear();
-  for (const Id i : numberUsedVertices(faces, inMesh + remote.size()))
-  {
-    const GlobalVertex vertex = i < inMesh ? this->vertexOfMesh(i) : remote[i - inMesh];
-    points.push_back(vertex.position);
-    globalIds.push_back(vertex.globalId);
-  }
-  const std::vector<std::uint64_t> keys(globalIds.begin(), globalIds.end());
-  return { std::move(points), std::move(faces), keys, this->exchange(), job };
-}
-
 const TriangleMesh& PolyDataSurface::noMesh()
 {
   static const TriangleMesh none;
@@ -123,6 +98,38 @@ std::string PolyDataSurface::nameOfCell(Id triangle, const std::vector<PolyDataB
 {
   const auto [block, cell] = this->inputCellOf(triangle);
   return inputs[block].name.part("cell", cell).text();
+}
+
+std::array<std::uint64_t, 2> endsOf(const FaceEdge& edge)
+{
+  return { std::min(edge[0], edge[1]), std::max(edge[0], edge[1]) };
+}
+
+std::vector<FaceEdge> edgesOfOneFace(const std::vector<FaceEdge>& edges)
+{
+  std::vector<std::size_t> order(edges.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return endsOf(edges[a]) < endsOf(edges[b]); });
+  std::vector<std::size_t> single;
+  for (auto first = order.begin(); first != order.end();)
+  {
+    const FaceEdge& edge = edges[*first];
+    const auto end = std::find_if(
+      first, order.end(), [&](std::size_t i) { return endsOf(edges[i]) != endsOf(edge); });
+    if (std::all_of(first, end, [&](std::size_t i) { return edges[i][2] == edge[2]; }))
+    {
+      single.push_back(*first);
+    }
+    first = end;
+  }
+  std::sort(single.begin(), single.end());
+  std::vector<FaceEdge> found;
+  for (const std::size_t i : single)
+  {
+    found.push_back(edges[i]);
+  }
+  return found;
 }
 
 std::vector<Id> numberUsedVertices(std::vector<Triangle>& triangles, std::size_t numberOfVertices)

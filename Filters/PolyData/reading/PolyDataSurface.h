@@ -237,15 +237,16 @@ struct PolyDataSurface
   }
   /// The remote vertices: those that no face of the mesh here has. All ranks call this together.
   std::vector<GlobalVertex> remoteVertices() const;
-  /// Makes a mesh of all faces, barriers or not. All ranks call this together.
-  ///
-  /// \param globalIds filled with GlobalVertex::globalId of each vertex that the result's own faces
-  ///        have.
-  MeshPartition partitionWithBarriers(std::vector<Id>& globalIds, const Job& job) const;
 
   /// How many parts are surface, on all ranks, which call this together. The others are copies by
   /// ghost arrays.
   std::uint64_t countPartsOfAllRanks() const;
+  /// Whether a part is an open face or a barrier.
+  bool isFace(Id part) const
+  {
+    return (this->roles.empty() || this->roles[part] < TriangleRole::Copy) &&
+      hasThreeVertices(this->verticesAt(part));
+  }
   bool isCopy(Id part) const
   {
     return !this->roles.empty() && this->roles[part] == TriangleRole::Copy;
@@ -292,6 +293,13 @@ struct PolyDataSurface
 private:
   static const TriangleMesh& noMesh();
 };
+
+/// An edge of a face, from one vertex to another, and the face's third vertex, by any numbers.
+using FaceEdge = std::array<std::uint64_t, 3>;
+/// The ends of an edge, the lower one first.
+std::array<std::uint64_t, 2> endsOf(const FaceEdge& edge);
+/// The edges that have one face, in their order. Faces on the same vertices count as one.
+std::vector<FaceEdge> edgesOfOneFace(const std::vector<FaceEdge>& edges);
 
 /// Numbers the vertices that triangles use, in their order, and changes the corners to these
 /// numbers.

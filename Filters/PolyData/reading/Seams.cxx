@@ -41,10 +41,6 @@ struct SeamVertex
   double shortestEdge = Infinity;
 };
 
-/// An edge of a face by the labels of its ends, the lower one first, and of the face's third
-/// vertex.
-using SeamEdge = std::array<Label, 3>;
-
 /// How far two vertices may be apart that are one.
 struct Limits
 {
@@ -188,11 +184,11 @@ void addCorner(const SeamSurface& surface, const Triangle& triangle, std::size_t
 /// Adds what the triangles tell of the candidates.
 ///
 /// \param numbers of vertices among the candidates.
-/// \returns the edges of faces between candidates.
-std::vector<SeamEdge> addTriangles(
+/// \returns the edges of faces between candidates, by labels.
+std::vector<FaceEdge> addTriangles(
   const SeamSurface& surface, const std::vector<Id>& numbers, std::vector<SeamVertex>& candidates)
 {
-  std::vector<SeamEdge> edges;
+  std::vector<FaceEdge> edges;
   const PieceVertices& vertices = surface.vertices;
   forEachTriangle(surface,
     [&](const Triangle& t, std::size_t block, bool isGhost)
@@ -242,26 +238,20 @@ std::vector<SeamVertex> combineRanks(std::vector<SeamVertex> parts)
   return vertices;
 }
 
-/// Marks the ends of the edges that have one face; faces on the same three vertices count as one.
-void markBoundary(std::vector<SeamEdge> edges, std::vector<SeamVertex>& vertices)
+/// Marks the ends of the edges that have one face.
+void markBoundary(const std::vector<FaceEdge>& edges, std::vector<SeamVertex>& vertices)
 {
-  std::sort(edges.begin(), edges.end());
-  for (auto first = edges.begin(); first != edges.end();)
+  for (const FaceEdge& edge : edgesOfOneFace(edges))
   {
-    const SeamEdge& edge = *first;
-    const auto end = std::find_if(first, edges.end(),
-      [&edge](const SeamEdge& other) { return edge[0] != other[0] || edge[1] != other[1]; });
-    const bool isOnBoundary = edge[2] == (*(end - 1))[2];
     for (const Label label : { edge[0], edge[1] })
     {
       const auto vertex = std::lower_bound(vertices.begin(), vertices.end(), label,
         [](const SeamVertex& v, Label wanted) { return v.label < wanted; });
-      if (isOnBoundary && vertex != vertices.end() && vertex->label == label)
+      if (vertex != vertices.end() && vertex->label == label)
       {
         vertex->isOnBoundary = true;
       }
     }
-    first = end;
   }
 }
 
@@ -270,7 +260,7 @@ std::vector<SeamVertex> findSeamVertices(const SeamSurface& surface, Exchange& e
 {
   std::vector<Id> numbers;
   std::vector<SeamVertex> own = findCandidates(surface, exchange, numbers);
-  std::vector<SeamEdge> edges;
+  std::vector<FaceEdge> edges;
   if (!own.empty())
   {
     edges = addTriangles(surface, numbers, own);
@@ -281,7 +271,7 @@ std::vector<SeamVertex> findSeamVertices(const SeamSurface& surface, Exchange& e
     edges = valuesOfRanks(exchange, edges);
   }
   std::vector<SeamVertex> vertices = combineRanks(std::move(own));
-  markBoundary(std::move(edges), vertices);
+  markBoundary(edges, vertices);
   const auto isInside = [](const SeamVertex& vertex)
   { return vertex.hasFace && !vertex.isOnBoundary && !vertex.isNearGhost; };
   vertices.erase(std::remove_if(vertices.begin(), vertices.end(), isInside), vertices.end());
