@@ -137,17 +137,14 @@ void vtkGeodesicPaths::Compute(
   const bool isWorking = inputs.rank.isWorking();
   std::vector<PathOfTarget> paths;
   SourceFrames frames;
-  PowerOfTwoScale scale;
+  PowerOfTwoScale scale = inputs.surface->scale;
   if (isWorking)
   {
     paths = FindPaths(inputs, this->GenerateFaceIds, execution);
     if (this->GenerateSourceAngle)
     {
-      const Sources& sources = inputs.sources;
-      frames = framesBySource(CurvesOnPatch(*inputs.patch, sources.curves), sources.curves,
-        sources.ids, sources.areNamed);
+      frames = framesBySource(CurvesOnPatch(*inputs.patch, inputs.sources.curves), inputs.sources);
     }
-    scale = inputs.surface->scale;
   }
   if (exchange.numberOfRanks() > 1)
   {

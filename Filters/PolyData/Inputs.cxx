@@ -403,7 +403,11 @@ Inputs readInputs(const InputRequest& request, const ExecutionPlan& plan, Surfac
     inputs.targetBlocks = isSource ? source : reader.gatherTargets();
   }
   inputs.rank = findRole(inputs.surfaceBlocks, plan.supportsPieces, reader.exchange);
-  if (inputs.rank.isWorking())
+  if (!inputs.rank.isWorking())
+  {
+    inputs.surface = &cache.keepNothing(inputs.surfaceBlocks.size());
+  }
+  else
   {
     reader.readSurface(reading);
     reader.readSources(source.blocks);

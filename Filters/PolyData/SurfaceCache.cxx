@@ -107,6 +107,19 @@ void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, const PointM
   this->exchange_ = &exchange;
 }
 
+const PolyDataSurface& SurfaceCache::keepNothing(std::size_t numberOfBlocks)
+{
+  this->release();
+  this->surface_ = std::make_unique<PolyDataSurface>();
+  this->surface_->blocks.resize(numberOfBlocks);
+  for (SurfaceBlock& block : this->surface_->blocks)
+  {
+    block.triangles = vtkSmartPointer<vtkCellArray>::New();
+  }
+  this->key_ = {};
+  return *this->surface_;
+}
+
 void SurfaceCache::release()
 {
   this->joinedPaths_ = JoinedPaths();

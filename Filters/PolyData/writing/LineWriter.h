@@ -18,13 +18,13 @@ class vtkPolyData;
 namespace geodesic
 {
 
+struct Sources;
+
 /// The curves as cells: a polyline each, a vertex where a curve is one point. The cell array
 /// SourceId has the id of each.
 ///
-/// \param sourceIds by SourceCurve::source.
 /// \param arcLengths for the point array SourceArcLength, those of each curve's points; or empty.
-void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
-  const std::vector<SourceCurve>& curves, const std::vector<vtkIdType>& sourceIds,
+void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale, const Sources& sources,
   const std::vector<std::vector<double>>& arcLengths, vtkPolyData* output);
 
 /// Lines on a mesh, with their values in the user's units.
