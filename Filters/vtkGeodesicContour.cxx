@@ -178,7 +178,7 @@ void vtkGeodesicContour::Compute(
   const PolyDataSurface& surface = *inputs.surface;
   if (this->SignedDistances)
   {
-    requireSides(surface, inputs.surfaceBlocks, "SignedDistances");
+    requireSides(surface, "SignedDistances");
   }
   const double* values = this->ContourValues->GetValues();
   const LineValues wanted =

@@ -191,7 +191,7 @@ public:
     const PolyDataSurface& surface = *this->Inputs.surface;
     if (this->Choice.areSidesNeeded())
     {
-      requireSides(surface, this->Inputs.surfaceBlocks,
+      requireSides(surface,
         this->Choice.signedDistances ? "GenerateSignedDistance" : "GenerateTextureCoordinates");
     }
     requireRangeOf(this->Self->OutputPointsPrecision, surface);

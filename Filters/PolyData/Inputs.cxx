@@ -151,7 +151,7 @@ struct InputReader
     this->cache.update(this->inputs.surfaceBlocks, this->request.merging,
       isInPieces ? this->exchange : OneRank::instance(), job);
     this->inputs.surface = &this->cache.surface();
-    noteSurface(*this->inputs.surface, this->inputs.surfaceBlocks, this->notes);
+    noteSurface(*this->inputs.surface, this->notes);
   }
 
   /// Reads the sources, and makes the patch that they lie on.
@@ -191,12 +191,11 @@ struct InputReader
   }
 
   /// \param targets their name, if the parts are sets of targets; else null.
-  SourceParts readParts(
+  SourceCells readParts(
     const std::vector<PolyDataBlock>& blocks, const PartName* targets, const Job& job) const
   {
-    return geodesic::readParts(
-      { blocks, targets, targets || this->request.areLinesJoined, *this->inputs.surface,
-        this->inputs.surfaceBlocks, this->cache.locator() },
+    return geodesic::readParts({ blocks, targets, targets || this->request.areLinesJoined,
+                                 *this->inputs.surface, this->cache.locator() },
       job);
   }
 
@@ -206,7 +205,7 @@ struct InputReader
   {
     const MeshPartition& surface = this->inputs.surface->partition;
     const bool isDistributed = surface.isDistributed();
-    SourceParts source = this->readParts(blocks, nullptr, locating);
+    SourceCells source = this->readParts(blocks, nullptr, locating);
     faces.addFacesAround(source.located);
     for (const SourceFace& face : source.faces)
     {
@@ -251,7 +250,7 @@ struct InputReader
   /// Puts polylines onto the surface, with the faces that their regions cover: the first curve of
   /// their source, which has one, gets them.
   static SourceCurves curvesOn(
-    const ReplicatedPatch& patch, const SourceParts& source, const JoinPoints& join, const Job& job)
+    const ReplicatedPatch& patch, const SourceCells& source, const JoinPoints& join, const Job& job)
   {
     SourceCurves on = putOntoSurface(patch.mesh(), source.polylines, source.precision, join, job);
     std::unordered_map<Id, std::size_t> first;
@@ -350,7 +349,7 @@ struct InputReader
   {
     const Job job = this->execution.begin(Stage::ReadTargets);
     const PartName name = this->nameOfTargets();
-    SourceParts read = this->readParts(this->inputs.targetBlocks.blocks, &name, job.part(0.0, 0.9));
+    SourceCells read = this->readParts(this->inputs.targetBlocks.blocks, &name, job.part(0.0, 0.9));
     const TriangleMesh& mesh = this->inputs.patch->mesh();
     read.located.setFaces(*this->inputs.patch, read.polylines);
     SourceCurves curves =

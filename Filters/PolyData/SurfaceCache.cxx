@@ -96,7 +96,7 @@ void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, const PointM
     this->exchange_ == &exchange;
   if (!exchange.isTrueAnywhere(!isKept))
   {
-    this->surface_->useCellsOf(blocks);
+    this->surface_->useBlocks(blocks);
     return;
   }
   this->release();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/reading/PolyDataSurface.h"
 
+#include "Questions.h"
+
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -59,14 +61,14 @@ const TriangleMesh& PolyDataSurface::noMesh()
   return none;
 }
 
-void PolyDataSurface::useCellsOf(const std::vector<PolyDataBlock>& inputs)
+void PolyDataSurface::useBlocks(const std::vector<PolyDataBlock>& inputs)
 {
   for (std::size_t i = 0; i < this->blocks.size(); ++i)
   {
-    if (this->blocks[i].areInputCells)
-    {
-      this->blocks[i].triangles = inputs[i].data->GetPolys();
-    }
+    SurfaceBlock& block = this->blocks[i];
+    block.name = inputs[i].name;
+    block.numberOfInputCells = inputs[i].countInputCells();
+    block.triangles = block.areInputCells ? inputs[i].data->GetPolys() : block.triangles.Get();
   }
 }
 
@@ -94,10 +96,43 @@ std::size_t blockOf(const std::vector<SurfaceBlock>& blocks, Id item, Id Surface
   return static_cast<std::size_t>(next - blocks.begin()) - 1;
 }
 
-std::string PolyDataSurface::nameOfCell(Id triangle, const std::vector<PolyDataBlock>& inputs) const
+std::string PolyDataSurface::nameOfCell(Id triangle) const
 {
   const auto [block, cell] = this->inputCellOf(triangle);
-  return inputs[block].name.part("cell", cell).text();
+  return this->blocks[block].name.part("cell", cell).text();
+}
+
+std::vector<vtkIdType> PolyDataSurface::inputCellsOf(const std::vector<RankAddress>& faces) const
+{
+  std::vector<vtkIdType> firstCells = { 0 };
+  for (const SurfaceBlock& block : this->blocks)
+  {
+    firstCells.push_back(firstCells.back() + block.numberOfInputCells);
+  }
+  const auto before = static_cast<vtkIdType>(
+    sumOverRanks(this->exchange(), static_cast<std::uint64_t>(firstCells.back())).before);
+  const auto cellOf = [&](Id face)
+  {
+    const auto [block, cell] = this->inputCellOf(this->triangleOf(face));
+    return before + firstCells[block] + cell;
+  };
+  std::vector<vtkIdType> cells(faces.size());
+  Questions questions(this->exchange());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (faces[i].rank == this->exchange().rank())
+    {
+      cells[i] = cellOf(faces[i].id); // nearly all
+    }
+    else
+    {
+      questions.ask(faces[i].rank, i, faces[i].id);
+    }
+  }
+  questions.exchangeAnswers([&cellOf](MessageReader& question, Message& answer)
+    { put(answer, cellOf(question.get<Id>())); },
+    [&cells](std::size_t i, MessageReader& answer) { cells[i] = answer.get<vtkIdType>(); });
+  return cells;
 }
 
 std::array<std::uint64_t, 2> endsOf(const FaceEdge& edge)

@@ -27,6 +27,9 @@ namespace geodesic
 /// The part of a surface that is one vtkPolyData.
 struct SurfaceBlock
 {
+  /// What messages call it, and how many cells it has: see PolyDataBlock.
+  PartName name;
+  vtkIdType numberOfInputCells = 0;
   /// Its points among those of all blocks.
   Id firstPoint = 0;
   Id numberOfPoints = 0;
@@ -215,9 +218,9 @@ struct PolyDataSurface
 
   const TriangleMesh& mesh() const { return this->partition.mesh(); }
   Exchange& exchange() const { return this->partition.exchange(); }
-  /// Takes the cells of an input with the same content in place of those of the input that this was
-  /// made of, which need not be kept any longer then.
-  void useCellsOf(const std::vector<PolyDataBlock>& inputs);
+  /// Takes names and cells of an input with the same content in place of those of the input that
+  /// this was made of, which need not be kept any longer then.
+  void useBlocks(const std::vector<PolyDataBlock>& inputs);
 
   /// Gives values at the mesh's vertices one at each vertex that vertexOf() names. All ranks call
   /// this together.
@@ -282,9 +285,11 @@ struct PolyDataSurface
     return { index, block.inputCell(triangle - block.firstTriangle) };
   }
   /// "cell 17 of the surface (input port 0)"
-  ///
-  /// \param inputs the blocks that the surface was read from.
-  std::string nameOfCell(Id triangle, const std::vector<PolyDataBlock>& inputs) const;
+  std::string nameOfCell(Id triangle) const;
+  /// The cells of the input that faces of any rank come from, by a number in the whole input: all
+  /// cells of all blocks, in their order, and of the ranks that have a piece, one after another.
+  /// All ranks that have a piece call this together.
+  std::vector<vtkIdType> inputCellsOf(const std::vector<RankAddress>& faces) const;
   std::size_t blockOf(Id item, Id SurfaceBlock::*first) const
   {
     return geodesic::blockOf(this->blocks, item, first);

@@ -45,13 +45,13 @@ std::vector<std::vector<std::uint64_t>> numberCorners(
 }
 
 /// An edge of a source's face: its ends, the lower one first, and where the face has it.
-struct FaceEdge
+struct RegionEdge
 {
   std::array<std::uint64_t, 2> ends;
   std::size_t face;
   std::size_t corner;
 
-  bool operator<(const FaceEdge& other) const
+  bool operator<(const RegionEdge& other) const
   {
     return std::tie(this->ends, this->face, this->corner) <
       std::tie(other.ends, other.face, other.corner);
@@ -59,9 +59,9 @@ struct FaceEdge
 };
 
 /// The edges that have a length, equal ones side by side.
-std::vector<FaceEdge> edgesOf(const std::vector<std::vector<std::uint64_t>>& corners)
+std::vector<RegionEdge> edgesOf(const std::vector<std::vector<std::uint64_t>>& corners)
 {
-  std::vector<FaceEdge> edges;
+  std::vector<RegionEdge> edges;
   for (std::size_t face = 0; face < corners.size(); ++face)
   {
     const std::size_t count = corners[face].size();
@@ -82,7 +82,7 @@ std::vector<FaceEdge> edgesOf(const std::vector<std::vector<std::uint64_t>>& cor
 /// The region of each face, which is the first face in it. Faces with one value are one region and,
 /// if they are joined, those with a common edge.
 std::vector<std::size_t> findRegions(
-  const std::vector<vtkIdType>& values, const std::vector<FaceEdge>& edges, bool areJoined)
+  const std::vector<vtkIdType>& values, const std::vector<RegionEdge>& edges, bool areJoined)
 {
   std::vector<std::size_t> regions(values.size());
   std::iota(regions.begin(), regions.end(), std::size_t{ 0 });
@@ -256,20 +256,20 @@ std::vector<bool> findRepeats(
 }
 
 /// The edges that only one face of a region uses, apart from those that repeat another.
-std::vector<FaceEdge> outlinesOf(const std::vector<std::size_t>& regions,
-  const std::vector<bool>& isRepeat, const std::vector<FaceEdge>& edges)
+std::vector<RegionEdge> outlinesOf(const std::vector<std::size_t>& regions,
+  const std::vector<bool>& isRepeat, const std::vector<RegionEdge>& edges)
 {
-  std::vector<FaceEdge> outlines;
+  std::vector<RegionEdge> outlines;
   std::unordered_map<std::size_t, std::size_t> uses;
   for (auto edge = edges.begin(); edge != edges.end();)
   {
     const auto next = std::find_if(
-      edge, edges.end(), [&](const FaceEdge& other) { return other.ends != edge->ends; });
+      edge, edges.end(), [&](const RegionEdge& other) { return other.ends != edge->ends; });
     uses.clear();
     std::for_each(edge, next,
-      [&](const FaceEdge& use) { uses[regions[use.face]] += isRepeat[use.face] ? 0 : 1; });
+      [&](const RegionEdge& use) { uses[regions[use.face]] += isRepeat[use.face] ? 0 : 1; });
     std::copy_if(edge, next, std::back_inserter(outlines),
-      [&](const FaceEdge& use) { return !isRepeat[use.face] && uses[regions[use.face]] == 1; });
+      [&](const RegionEdge& use) { return !isRepeat[use.face] && uses[regions[use.face]] == 1; });
     edge = next;
   }
   return outlines;
@@ -307,7 +307,7 @@ void makeRegions(SourceCells& cells, bool areJoined)
     }
   }
   const std::vector<std::vector<std::uint64_t>> corners = numberCorners(faces);
-  const std::vector<FaceEdge> edges = edgesOf(corners);
+  const std::vector<RegionEdge> edges = edgesOf(corners);
   const std::vector<std::size_t> regions = findRegions(values, edges, areJoined);
   std::vector<std::size_t> lines;
   std::vector<vtkIdType> regionOfLine;
@@ -317,7 +317,7 @@ void makeRegions(SourceCells& cells, bool areJoined)
     cells.polylines.push_back(cornersOf(*faces[face], *faces[face], points));
     cells.polylines.back().source = faces[regions[face]]->source;
   };
-  for (const FaceEdge& edge : outlinesOf(regions, findRepeats(regions, corners), edges))
+  for (const RegionEdge& edge : outlinesOf(regions, findRepeats(regions, corners), edges))
   {
     hasOutline[regions[edge.face]] = true;
     lines.push_back(cells.polylines.size());

@@ -88,7 +88,7 @@ PartIds makeParts(SourceCells& cells)
 }
 
 /// Leaves out the single points that lie in a barrier.
-void leaveOutPointsInBarriers(const std::vector<RankAddress>& barriers, SourceParts& read)
+void leaveOutPointsInBarriers(const std::vector<RankAddress>& barriers, SourceCells& read)
 {
   std::vector<bool> isRegion(read.parts.ids.size(), false); // a point may stand for all of one
   for (const SourceFace& face : read.faces)
@@ -110,9 +110,8 @@ std::string nameOfBarrier(const PartsRequest& from, const RankAddress& face)
 {
   const PolyDataSurface& surface = from.surface;
   Exchange& exchange = surface.exchange();
-  const std::string own = face.rank == exchange.rank()
-    ? surface.nameOfCell(surface.triangleOfBarrier(face.id), from.surfaceBlocks)
-    : "";
+  const std::string own =
+    face.rank == exchange.rank() ? surface.nameOfCell(surface.triangleOfBarrier(face.id)) : "";
   const std::vector<char> told = valuesOfRanks(exchange, std::vector<char>(own.begin(), own.end()));
   const std::string name(told.begin(), told.end());
   return surface.partition.isDistributed() ? name + " on rank " + std::to_string(face.rank) : name;
@@ -120,7 +119,7 @@ std::string nameOfBarrier(const PartsRequest& from, const RankAddress& face)
 
 /// \throws InputError that names the polyline, the point and the cell of the surface.
 void requireOutsideBarriers(
-  const PartsRequest& from, const SourceParts& read, const std::vector<RankAddress>& barriers)
+  const PartsRequest& from, const SourceCells& read, const std::vector<RankAddress>& barriers)
 {
   for (const LocatedPolyline& line : read.polylines)
   {
@@ -141,7 +140,7 @@ void requireOutsideBarriers(
   }
 }
 
-void locate(const PartsRequest& from, const Job& job, SourceParts& read)
+void locate(const PartsRequest& from, const Job& job, SourceCells& read)
 {
   constexpr double sought = 0.9;
   LocatedPlaces& located = read.located;
@@ -161,9 +160,9 @@ void locate(const PartsRequest& from, const Job& job, SourceParts& read)
 
 }
 
-SourceParts readParts(const PartsRequest& from, const Job& job)
+SourceCells readParts(const PartsRequest& from, const Job& job)
 {
-  SourceParts read{ readSourceCells(from.blocks, from.surface, from.targets != nullptr), {}, {} };
+  SourceCells read = readSourceCells(from.blocks, from.surface, from.targets != nullptr);
   if (read.isEmpty())
   {
     throw InputError(textOfEmpty(from, read.droppedCells));

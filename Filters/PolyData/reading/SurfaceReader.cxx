@@ -196,6 +196,7 @@ struct SurfaceReader
     keepTriangles(this->inputs, this->triangles, this->surface.blocks);
     this->makeParts();
     this->makeMeshes(this->takeFaces());
+    this->surface.useBlocks(this->inputs);
     return std::move(this->surface);
   }
 

@@ -53,7 +53,8 @@ struct PathOfTarget
   std::vector<Vec3> points;
   PathEnd end;
   vtkIdType sourceId = -1;
-  /// The input's cell between each point and the next, if cells are asked for; see cellsOfFaces().
+  /// The input's cell between each point and the next, if cells are asked for; see
+  /// PolyDataSurface::inputCellsOf().
   std::vector<vtkIdType> cells;
 };
 

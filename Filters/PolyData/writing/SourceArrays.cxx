@@ -333,8 +333,7 @@ void addSourceFrames(const SourceFrames& all, vtkDataObject* output)
   }
 }
 
-void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs,
-  const std::string& property)
+void requireSides(const PolyDataSurface& surface, const std::string& property)
 {
   const MeshPartition& part = surface.partition;
   const TriangleMesh& mesh = surface.mesh();
@@ -351,7 +350,7 @@ void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBloc
   const Id face = TriangleMesh::faceOf(halfedge);
   const std::string where = part.isDistributed()
     ? ", which faces of this one (input port 0) on rank " + std::to_string(part.exchange().rank())
-    : ": " + surface.nameOfCell(surface.triangleOf(face), inputs) + " and a neighbor";
+    : ": " + surface.nameOfCell(surface.triangleOf(face)) + " and a neighbor";
   throw MeshError(property +
     " needs a surface whose faces have one orientation and whose edges have at most two faces" +
     where +

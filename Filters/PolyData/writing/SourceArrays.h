@@ -121,12 +121,10 @@ SourceFrames framesBySource(const CurvesOnPatch& onPatch, const Sources& sources
 /// frames have ids, SourceFrameId.
 void addSourceFrames(const SourceFrames& frames, vtkDataObject* output);
 
-/// \param inputs the blocks that the surface was read from.
 /// \param property what needs sides, for the message.
 /// \throws MeshError where a face and a neighbor do not tell left from right: across an edge of
 ///         three and more faces, or one whose faces run along it in one direction.
-void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs,
-  const std::string& property);
+void requireSides(const PolyDataSurface& surface, const std::string& property);
 
 /// Whether the distance from a foot has the sign of a curve's right-hand side: points and loops of
 /// the boundary have none.
