@@ -105,9 +105,8 @@ public:
   ///@{
   /**
    * Whether cells of the source that are lines of two points are joined to curves, through points
-   * at which exactly two of them meet. On by default. A curve runs as most of its lines do; its id
-   * is the lowest cell id among its lines. Faces with a common edge are joined to one region, whose
-   * id is that of its first face.
+   * at which exactly two of them meet, and faces with a common edge to regions. On by default. A
+   * curve runs as most of its lines do; ids are the lowest cell id of the lines, or faces.
    */
   vtkSetMacro(JoinLines, bool);
   vtkGetMacro(JoinLines, bool);
@@ -119,8 +118,7 @@ public:
    * Name of an array of the source that names its parts: cells (points, in a set of points) with
    * equal values are one source, whose id is the value. Empty (null), the default, and "None"
    * stand for no such array: ids are then numbers of cells (of points). Integers from 0 to 2^53 -
-   * 1, one component, in every block; anything else is an error. Lines of different values are not
-   * joined (JoinLines).
+   * 1, one component, in every block; anything else is an error.
    */
   vtkSetStringMacro(SourceIdArrayName);
   vtkGetStringMacro(SourceIdArrayName);
@@ -130,20 +128,14 @@ public:
   /**
    * Whether points at one place are one point, so that faces around it are connected: points with
    * equal coordinates and, on the boundary of the surface or of its blocks and pieces, points that
-   * differ by a few roundings of the precision in which they are stored. On by default. The output
-   * keeps the points of the input in either case.
+   * differ by a few roundings of the precision in which they are stored, or by MergeTolerance, in
+   * the units of the surface (default: 0), and by at most half of the shortest edge at either of
+   * them. On by default. The output keeps the points of the input in either case. A MergeTolerance
+   * that is negative or NaN is an error.
    */
   vtkSetMacro(MergeCoincidentPoints, bool);
   vtkGetMacro(MergeCoincidentPoints, bool);
   vtkBooleanMacro(MergeCoincidentPoints, bool);
-  ///@}
-
-  ///@{
-  /**
-   * How far apart two points on the boundary may be that are one point, with
-   * MergeCoincidentPoints, in the units of the surface; at most half of the shortest edge at either
-   * of them. 0, the default: only roundings. A negative number or NaN is an error.
-   */
   vtkSetMacro(MergeTolerance, double);
   vtkGetMacro(MergeTolerance, double);
   ///@}

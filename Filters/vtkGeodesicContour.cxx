@@ -79,12 +79,10 @@ LineValues FindValues(std::vector<double> values, const PowerOfTwoScale& scale)
 Isolines OnSides(const DistanceField& field, const Isolines& isolines,
   const std::vector<SidedValue>& sides, const Inputs& inputs, const Job& job)
 {
-  const std::vector<SourceCurve>& curves = inputs.sources.curves;
-  NearestSource nearest(field, *inputs.patch, curves, job.part(0.0, 0.5));
+  NearestSource nearest(field, *inputs.patch, inputs.sources.curves, job.part(0.0, 0.5));
   return linesOnSides(
-    field, nearest,
-    [&](const Foot& foot) { return isOnRight(foot, curves, inputs.sources.firstBoundary); },
-    isolines, sides, job.part(0.5, 1.0));
+    field, nearest, [&](const Foot& foot) { return isOnRight(foot, inputs.sources); }, isolines,
+    sides, job.part(0.5, 1.0));
 }
 
 /// Solves up to the largest distance, and draws the lines.
@@ -173,14 +171,14 @@ void vtkGeodesicContour::Compute(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   if (!inputs.rank.isWorking())
   {
-    const TriangleMesh none;
-    writeIsolines({ none, {}, {}, none, {} }, PowerOfTwoScale(), output, {});
+    const TriangleMesh& none = inputs.surface->mesh();
+    writeIsolines({ none, {}, {}, none, {} }, {}, output, {});
     return;
   }
   const PolyDataSurface& surface = *inputs.surface;
   if (this->SignedDistances)
   {
-    requireSides(surface, inputs.surfaceBlocks, "SignedDistances");
+    requireSides(surface, "SignedDistances");
   }
   const double* values = this->ContourValues->GetValues();
   const LineValues wanted =

@@ -19,20 +19,15 @@
  *
  * @par Output:
  * A vtkPolyData, also of composite inputs, with a polyline for each line; a closed one has its
- * first point again at the end. Lines that meet share points. The distance grows to the left of a
- * line, seen with the normals of the faces towards the viewer; if the surface is not consistently
- * oriented, directions say nothing, and a warning tells so. Lines end at the boundary and, in
- * shared points, at edges of three and more faces. They are in the ascending order of their values,
- * behind those of 0: the source as it lies on the surface, curves in their own direction and a
- * vertex for each point. There are
+ * first point again at the end. The distance grows to the left of a line, seen with the normals of
+ * the faces towards the viewer; if the surface is not consistently oriented, directions say
+ * nothing, and a warning tells so. Lines end at the boundary and, in shared points, at edges of
+ * three and more faces. They are in the ascending order of their values, behind those of 0: the
+ * source as it lies on the surface, curves in their own direction and a vertex for each point.
+ * There are
  * - cell data array and point data array `GeodesicDistance`: the value,
- * - point data array `LineId`: the number of the cell that the point belongs to; if lines share the
- *   point, the first of them. Points stand in the order of their lines, so that a table of the
- *   points can be cut into lines again.
- *
- * @par
- * If the distance of a vertex equals a value exactly, the vertex counts as beyond it: the line
- * passes the vertex on the side nearer to the source, by less than a rounding of the distance.
+ * - point data array `LineId`: the number of the first cell that has the point. Points stand in the
+ *   order of their lines, so that a table of the points can be cut into lines again.
  *
  * @par Execution:
  * The propagation stops beyond the largest value. If there are several ranks, each has the lines in
@@ -67,11 +62,9 @@ public:
 
   ///@{
   /**
-   * The distances to draw lines at, in the units of the surface. They are set as the values of
-   * vtkContourFilter: number i, all of them, or a number of values at equal steps from the first to
-   * the last of a range. By default there are no values, which is an error. A value that is
-   * infinite or NaN is an error, too, and so is a negative value unless SignedDistances is on. The
-   * order of the values does not matter, and equal values count once.
+   * The distances to draw lines at, in the units of the surface, set as the values of
+   * vtkContourFilter; equal ones count once. No value, the default, is an error, as is one that is
+   * infinite, NaN or, unless SignedDistances is on, negative.
    */
   void SetValue(int i, double value) { this->ContourValues->SetValue(i, value); }
   double GetValue(int i) { return this->ContourValues->GetValue(i); }
@@ -97,8 +90,8 @@ public:
    * The largest distance of a chord from the arc that it stands for: ChordTolerance, as a fraction
    * of the diagonal of the bounding box of the points that faces use (default: 0.0001), or, where
    * ToleranceIsAbsolute is on (off by default), AbsoluteChordTolerance, in the units of the surface
-   * (default: 1). Anything but a positive number is an error. A tolerance below 1e-12 of an arc's
-   * radius counts as 1e-12 of the radius: points are not more exact.
+   * (default: 1). Anything but a positive number is an error; below 1e-12 of an arc's radius counts
+   * as that.
    */
   vtkSetMacro(ChordTolerance, double);
   vtkGetMacro(ChordTolerance, double);

@@ -70,16 +70,6 @@ double roundLength(double length)
   return largest;
 }
 
-/// What the arrays beside the distance hold.
-struct ValuesBySource
-{
-  ValuesAtPoints atVertices;
-  ValuesAtPoints atRefinedPoints;
-  /// What angles are measured in, and arc lengths along the curves: see SourceArrays.
-  SourceFrames frames;
-  std::vector<std::vector<double>> arcLengthsOfCurves;
-};
-
 /// What an execution has computed. On ranks that do not work, whether the others have refined, and
 /// their frames.
 struct FieldResult
@@ -91,8 +81,11 @@ struct FieldResult
   /// The refined mesh, and the values at its points, by blocks of the surface; nothing for each
   /// unless it is refined.
   std::vector<RefinedBlock> refined;
-  /// Their values at refined points are in the blocks.
-  ValuesBySource bySource;
+  /// If arrays beside the distance are asked for, what they hold; what angles are measured in, and
+  /// arc lengths along the curves: see SourceArrays.
+  std::vector<SourceValues> atVertices;
+  SourceFrames frames;
+  std::vector<std::vector<double>> arcLengthsOfCurves;
 };
 
 }
@@ -129,30 +122,9 @@ public:
       result.hasNewPoints);
     if (this->Choice.angles)
     {
-      shareResults(exchange, isWorking, result.bySource.frames.frames);
-      shareResults(exchange, isWorking, result.bySource.frames.ids);
+      shareResults(exchange, isWorking, result.frames.frames);
+      shareResults(exchange, isWorking, result.frames.ids);
     }
-  }
-
-  /// A rank without surface has the arrays of the other ranks, without values.
-  void WriteNothing(const FieldResult& result, vtkDataObject* output) const
-  {
-    for (vtkPolyData* block : makeBlocksLike(this->Inputs.surfaceInput, output))
-    {
-      const auto distances = makeArray<vtkDoubleArray>(this->Self->DistanceArrayName, 0);
-      block->GetPointData()->AddArray(distances);
-      block->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
-      addEmptyArrays(this->Choice, block);
-      if (result.isRefined)
-      {
-        block->GetCellData()->AddArray(makeArray<vtkIdTypeArray>("OriginalCellIds", 0));
-      }
-      const int type =
-        typeOfPoints(nullptr, this->Self->OutputPointsPrecision, result.hasNewPoints);
-      block->SetPoints(storePoints(nullptr, type, {}, {}));
-      this->WriteFieldData(result.bySource.frames, block);
-    }
-    this->WriteFieldData(result.bySource.frames, output);
   }
 
   double LengthOfSource() const
@@ -219,7 +191,7 @@ public:
     const PolyDataSurface& surface = *this->Inputs.surface;
     if (this->Choice.areSidesNeeded())
     {
-      requireSides(surface, this->Inputs.surfaceBlocks,
+      requireSides(surface,
         this->Choice.signedDistances ? "GenerateSignedDistance" : "GenerateTextureCoordinates");
     }
     requireRangeOf(this->Self->OutputPointsPrecision, surface);
@@ -241,12 +213,12 @@ public:
       this->TakeErrorBound(refined, result.hasNewPoints, displaced);
     }
     result.vertexDistances = solved.field->vertexDistances();
+    std::vector<SourceValues> atNewPoints;
     if (this->Choice.isAny())
     {
-      result.bySource = this->FindSources(solved, result.isRefined);
+      atNewPoints = this->FindSources(solved, result);
     }
-    result.refined =
-      partsByBlock(surface, std::move(solved.refined), std::move(result.bySource.atRefinedPoints));
+    result.refined = partsByBlock(surface, std::move(solved.refined), std::move(atNewPoints));
     surface.completeValues(Infinity, result.vertexDistances);
     return result;
   }
@@ -290,33 +262,28 @@ public:
 
   SourceArrays Arrays() const
   {
-    return { *this->Inputs.surface, this->Inputs.sources.curves, this->Inputs.sources.ids,
-      this->Inputs.sources.firstBoundary, this->TextureTile(),
+    return { *this->Inputs.surface, this->Inputs.sources, this->TextureTile(),
       this->Self->TextureRepeats ? 0.0 : 0.5, this->Choice };
   }
 
-  ValuesBySource FindSources(const SolvedSurface& solved, bool isRefined) const
+  /// \returns the values at the points that refinement has added.
+  std::vector<SourceValues> FindSources(const SolvedSurface& solved, FieldResult& result) const
   {
     const Job job = this->Execution.begin(Stage::FindSources);
     const DistanceField& field = *solved.field;
     const DistanceField& exact = solved.exactField();
-    const std::vector<SourceCurve>& curves = this->Inputs.sources.curves;
-    NearestSource nearest(exact, *this->Inputs.patch, curves, job.part(0.0, 0.3));
+    NearestSource nearest(
+      exact, *this->Inputs.patch, this->Inputs.sources.curves, job.part(0.0, 0.3));
     const SourceArrays arrays = this->Arrays();
-    ValuesBySource values;
-    values.atVertices = arrays.atVertices(field, nearest, job.part(0.3, 0.6));
+    result.atVertices = arrays.atVertices(field, nearest, job.part(0.3, 0.6));
     if (this->Choice.angles)
     {
-      values.frames = framesBySource(
-        nearest.curvesOnPatch(), curves, this->Inputs.sources.ids, this->Inputs.sources.areNamed);
+      result.frames = framesBySource(nearest.curvesOnPatch(), this->Inputs.sources);
     }
-    values.arcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
-    if (isRefined)
-    {
-      values.atRefinedPoints =
-        arrays.atNewPoints(solved.refined, field, exact, nearest, job.part(0.6, 1.0));
-    }
-    return values;
+    result.arcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
+    return result.isRefined
+      ? arrays.atNewPoints(solved.refined, field, exact, nearest, job.part(0.6, 1.0))
+      : std::vector<SourceValues>();
   }
 
   /// \param requested the tolerance of the interpolant.
@@ -376,9 +343,9 @@ public:
         removeUnusedPoints(outputs[i]);
       }
       outputs[i]->GetFieldData()->PassData(inputs[i].data->GetFieldData());
-      this->WriteFieldData(result.bySource.frames, outputs[i]);
+      this->WriteFieldData(result.frames, outputs[i]);
     }
-    this->WriteFieldData(result.bySource.frames, output);
+    this->WriteFieldData(result.frames, output);
   }
 
   /// One type on all ranks, whose pieces are one data set: files of pieces need that.
@@ -386,8 +353,9 @@ public:
   {
     return typeOfPoints(this->Inputs.surfaceBlocks[block].data->GetPoints(),
       this->Self->OutputPointsPrecision,
-      this->Inputs.rank.isInPieces() ? result.hasNewPoints
-                                     : !result.refined[block].mesh.points.empty());
+      this->Inputs.rank.isInPieces() || !this->Inputs.rank.isWorking()
+        ? result.hasNewPoints
+        : !result.refined[block].mesh.points.empty());
   }
 
   void WriteDistances(const FieldResult& result, std::size_t index, vtkPolyData* output) const
@@ -414,7 +382,7 @@ public:
                                           : Infinity;
     if (this->Choice.isAny())
     {
-      this->Arrays().write(block, result.bySource.atVertices, result.refined[index].values,
+      this->Arrays().write(block, result.atVertices, result.refined[index].values,
         distances->GetPointer(0), unreached, output);
     }
     double* first = distances->GetPointer(0);
@@ -625,7 +593,6 @@ void vtkGeodesicDistanceField::Compute(
   const Inputs& inputs, FilterExecution& execution, vtkInformationVector* outputVector)
 {
   const vtkWorker worker{ this, inputs, execution };
-  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   FieldResult result;
   if (inputs.rank.isWorking())
   {
@@ -633,21 +600,17 @@ void vtkGeodesicDistanceField::Compute(
   }
   worker.Share(result);
   const Job writing = execution.begin(Stage::Write);
-  if (!inputs.rank.isWorking())
-  {
-    worker.WriteNothing(result, output);
-  }
-  else
+  if (inputs.rank.isWorking())
   {
     worker.NoteReplacedArrays(result.isRefined);
-    worker.WriteSurface(result, output, writing);
   }
+  result.refined.resize(inputs.surface->blocks.size());
+  worker.WriteSurface(result, vtkDataObject::GetData(outputVector, 0), writing);
   worker.ShareFarthest();
   if (inputs.rank.isWorking() && inputs.rank.writesSource())
   {
-    writeCurves(inputs.patch->mesh(), inputs.surface->scale, inputs.sources.curves,
-      inputs.sources.ids, result.bySource.arcLengthsOfCurves,
-      vtkPolyData::GetData(outputVector, 1));
+    writeCurves(inputs.patch->mesh(), inputs.surface->scale, inputs.sources,
+      result.arcLengthsOfCurves, vtkPolyData::GetData(outputVector, 1));
   }
 }
 

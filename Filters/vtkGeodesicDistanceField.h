@@ -35,17 +35,17 @@
  *
  * @par Output:
  * Port 0 has the surface as triangles, with all points of the input in order, then those that
- * refinement has added. Of a composite surface it has the structure and the names
- * (GetOutputDataObject(0); GetOutput() is null then), and each block has its own points and arrays:
- * - point data array `GeodesicDistance` (or DistanceArrayName), in double precision,
- * - if they are asked for, the point data arrays of SetGenerateSourceIds() and the next properties,
+ * refinement has added; of a composite surface (GetOutputDataObject(0); GetOutput() is null then)
+ * it has the structure and the names, and each block its own points and arrays:
+ * - point data array `GeodesicDistance` (DistanceArrayName), in double precision, and those of
+ *   SetGenerateSourceIds() and the next properties, if they are asked for,
  * - cell data array `OriginalCellIds`, if the mesh was refined: the cell of the input (of its
  *   block) that each triangle is a part of,
  * - field data arrays with the names of the getters below; with GenerateSourceAngle `SourceFrame`.
  * @par
- * Port 1 has the source as it lies on the surface: polylines with a point at every mesh edge that
- * they cross, and a vertex for each point source, with the cell data array `SourceId` and, with
- * GenerateSourceArcLength, the point data array `SourceArcLength`.
+ * Port 1 has the source as it lies on the surface, in double precision: polylines with a point at
+ * every mesh edge that they cross, and a vertex for each point source, with the cell data array
+ * `SourceId` and, with GenerateSourceArcLength, the point data array `SourceArcLength`.
  * @par
  * The page Reference (Filters/Reference.md) says what happens to the input's data and at borders of
  * blocks, how the arrays are measured exactly, where they jump, and what the bounds are bounds of.
@@ -97,21 +97,14 @@ public:
 
   ///@{
   /**
-   * Compute the exact distance (the default), or a smaller one within RelativeError of it, which is
-   * faster.
+   * Compute the exact distance (the default), or a smaller one, which is faster: within
+   * RelativeError of it (default: 0.001; 0: exact) at any point that is reached. A RelativeError
+   * that is negative or NaN is an error.
    */
   vtkSetClampMacro(Accuracy, int, EXACT, APPROXIMATE);
   vtkGetMacro(Accuracy, int);
   void SetAccuracyToExact() { this->SetAccuracy(EXACT); }
   void SetAccuracyToApproximate() { this->SetAccuracy(APPROXIMATE); }
-  ///@}
-
-  ///@{
-  /**
-   * In approximate mode, the largest relative error of the computed distance at any point of the
-   * surface that is reached. Default: 0.001. With 0 the distance is exact. A negative value or NaN
-   * is an error.
-   */
   vtkSetMacro(RelativeError, double);
   vtkGetMacro(RelativeError, double);
   ///@}
@@ -119,21 +112,14 @@ public:
   ///@{
   /**
    * Whether triangles are split until the linear interpolant of the output is within a tolerance of
-   * the distance everywhere. On by default. Windows are kept in memory where this needs them.
+   * the computed distance everywhere (on by default): RefinementTolerance, as a fraction of the
+   * diagonal of the bounding box of the points that faces use (default: 0.001), or, where
+   * ToleranceIsAbsolute is on (off by default), AbsoluteRefinementTolerance, in the units of the
+   * surface (default: 1). Anything but a positive number is an error.
    */
   vtkSetMacro(RefineMesh, bool);
   vtkGetMacro(RefineMesh, bool);
   vtkBooleanMacro(RefineMesh, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The largest difference between the linear interpolant of the output and the computed distance:
-   * RefinementTolerance, as a fraction of the diagonal of the bounding box of the points that faces
-   * use (default: 0.001), or, where ToleranceIsAbsolute is on (off by default),
-   * AbsoluteRefinementTolerance, in the units of the surface (default: 1). Anything but a positive
-   * number is an error.
-   */
   vtkSetMacro(RefinementTolerance, double);
   vtkGetMacro(RefinementTolerance, double);
   vtkSetMacro(ToleranceIsAbsolute, bool);
@@ -145,9 +131,8 @@ public:
 
   ///@{
   /**
-   * The output has no more triangles than this; 0 is no limit. Where the tolerance needs more, the
-   * surface is refined to a larger tolerance, with a warning. Default: 50,000,000. A negative
-   * number is an error.
+   * The refined output has no more triangles than this (default: 50,000,000; 0: no limit), but a
+   * larger tolerance, with a warning, where that needs more. A negative number is an error.
    */
   vtkSetMacro(MaximumNumberOfCells, vtkIdType);
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);
@@ -155,19 +140,8 @@ public:
 
   ///@{
   /**
-   * The precision of the points of output port 0: SINGLE_PRECISION, DOUBLE_PRECISION, or
-   * DEFAULT_PRECISION, the default: double where refinement has added points, otherwise the input's
-   * points. Output port 1 is always in double precision.
-   */
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
-  vtkGetMacro(OutputPointsPrecision, int);
-  ///@}
-
-  ///@{
-  /**
-   * Whether triangles are also split where the nearest part of the source changes (and, if
-   * GenerateSignedDistance is on, the nearest side of a curve), until their edges are no longer
-   * than the refinement tolerance. Needs RefineMesh; takes one more solve. Off by default.
+   * Whether RefineMesh also splits triangles, down to the tolerance, where the nearest part of the
+   * source changes, or with GenerateSignedDistance its side. Takes one more solve. Off by default.
    */
   vtkSetMacro(RefineSourceBorders, bool);
   vtkGetMacro(RefineSourceBorders, bool);
@@ -176,10 +150,9 @@ public:
 
   ///@{
   /**
-   * Stop at this distance, in the units of the surface; 0, the default, is no limit. Every face
-   * that has a point within the limit gets exact values at all its points, so that contours inside
-   * the limit are whole. Points beyond that are infinitely far. A negative value or NaN is an
-   * error.
+   * Stop at this distance, in the units of the surface (default: 0, no limit). Faces that have a
+   * point within the limit get exact values at all their points, points beyond these are infinitely
+   * far. A negative value or NaN is an error.
    */
   vtkSetMacro(MaximumDistance, double);
   vtkGetMacro(MaximumDistance, double);
@@ -197,10 +170,9 @@ public:
 
   ///@{
   /**
-   * The distance, arc length, angle and texture coordinates of points that are not reached:
-   * +infinity (the default), NaN, or CustomUnreachedValue, any number (default: -1), for filters
-   * and files that need finite numbers. No path reaches points in barriers, beyond MaximumDistance,
-   * and of other components.
+   * The distance, arc length, angle and texture coordinates of points that no path reaches (in
+   * barriers, beyond MaximumDistance, in other components): +infinity (the default), NaN, or
+   * CustomUnreachedValue, any number (default: -1).
    */
   vtkSetClampMacro(UnreachedValue, int, UNREACHED_INFINITY, UNREACHED_CUSTOM);
   vtkGetMacro(UnreachedValue, int);
@@ -213,10 +185,12 @@ public:
 
   ///@{
   /**
-   * Whether points that no triangle of the output uses are left out of port 0; the others keep
-   * their order and their data. Off by default: the output has all points of the input, with their
-   * numbers.
+   * Points of output port 0: their precision, SINGLE_PRECISION, DOUBLE_PRECISION, or
+   * DEFAULT_PRECISION, the default (double where refinement has added points, otherwise the input's
+   * points); and whether those that no triangle uses are left out (off by default).
    */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
   vtkSetMacro(RemoveUnusedPoints, bool);
   vtkGetMacro(RemoveUnusedPoints, bool);
   vtkBooleanMacro(RemoveUnusedPoints, bool);
@@ -224,7 +198,8 @@ public:
 
   ///@{
   /**
-   * Name of the point data array with the distances. Default: GeodesicDistance.
+   * Name of the point data array with the distances (default: GeodesicDistance). An empty name, or
+   * that of another array that is asked for, is an error.
    */
   vtkSetStringMacro(DistanceArrayName);
   vtkGetStringMacro(DistanceArrayName);
@@ -234,11 +209,11 @@ public:
   /**
    * Whether the output has the point array SourceId (vtkIdType): the nearest part of the source,
    * as the number of a cell on port 1 (over all blocks in their order), or of a point if a block
-   * is a set of points; loops of the boundary follow. -1 where a point is not reached. Off by
-   * default.
+   * is a set of points; loops of the boundary follow. -1 where a point is not reached.
    *
-   * This and the arrays that follow never change the distance. In approximate mode all but
-   * DistanceGradient take the time of the exact field, too.
+   * This and the arrays that follow are off by default and never change the distance. In
+   * approximate mode all but DistanceGradient take the time of the exact field, too. Where a point
+   * is not reached lengths and angles are UnreachedValue.
    */
   vtkSetMacro(GenerateSourceIds, bool);
   vtkGetMacro(GenerateSourceIds, bool);
@@ -248,7 +223,7 @@ public:
   ///@{
   /**
    * Whether the output has the point array ClosestSourcePoint (3 doubles): the point of the source
-   * where a shortest path ends; the point itself where it is not reached. Off by default.
+   * where a shortest path ends; the point itself where it is not reached.
    */
   vtkSetMacro(GenerateClosestPoints, bool);
   vtkGetMacro(GenerateClosestPoints, bool);
@@ -258,8 +233,7 @@ public:
   ///@{
   /**
    * Whether the output has the point array DistanceGradient (3 doubles): the unit vector away from
-   * the source along a shortest path (of the computed field), in the plane of the path's last face;
-   * zero on the source and where a point is not reached. Off by default.
+   * the source in the last face of a shortest path; zero on the source and where not reached.
    */
   vtkSetMacro(GenerateGradients, bool);
   vtkGetMacro(GenerateGradients, bool);
@@ -268,10 +242,9 @@ public:
 
   ///@{
   /**
-   * Whether the output has the point array SignedGeodesicDistance: positive where a shortest path
-   * meets the curve from the left of its direction (normals towards the viewer), negative on its
-   * right; positive from points and the boundary; UnreachedValue where a point is not reached. Off
-   * by default. GetInterpolationErrorBound() does not cover this array, whose sign jumps. An edge
+   * Whether the output has the point array SignedGeodesicDistance: positive on the left of the
+   * curve's direction (normals towards the viewer), negative on its right; positive from points and
+   * the boundary. GetInterpolationErrorBound() does not cover this array, whose sign jumps. An edge
    * of three and more faces, or faces of opposite orientation side by side, is an error.
    */
   vtkSetMacro(GenerateSignedDistance, bool);
@@ -282,8 +255,7 @@ public:
   ///@{
   /**
    * Whether the output has the point array SourceArcLength: the length of the source's line, on the
-   * surface, from its first point to ClosestSourcePoint. 0 for a point source, UnreachedValue where
-   * a point is not reached. Off by default.
+   * surface, from its first point to ClosestSourcePoint; 0 for a point source.
    */
   vtkSetMacro(GenerateSourceArcLength, bool);
   vtkGetMacro(GenerateSourceArcLength, bool);
@@ -293,10 +265,9 @@ public:
   ///@{
   /**
    * Whether the output has the point array SourceAngle: the direction, in radians, in which a
-   * shortest path leaves ClosestSourcePoint (normals towards the viewer): around a point
-   * counterclockwise from the first axis of its frame, from a curve from its direction, positive on
-   * its left. 0 on the source, UnreachedValue where a point is not reached. Off by default. The
-   * field data array SourceFrame has the frames.
+   * shortest path leaves ClosestSourcePoint, counterclockwise (normals towards the viewer) from the
+   * first axis of a point's frame, in the field data array SourceFrame, or from a curve's
+   * direction. 0 on the source.
    */
   vtkSetMacro(GenerateSourceAngle, bool);
   vtkGetMacro(GenerateSourceAngle, bool);
@@ -305,89 +276,61 @@ public:
 
   ///@{
   /**
-   * Whether the output has the point array SourceTextureCoordinates, as active texture coordinates
-   * (u, v): around a curve SourceArcLength and SignedGeodesicDistance, around a point source the
-   * distance times the cosine and the sine of SourceAngle (the logarithmic map), all divided by
-   * TextureScale. Off by default. Includes RefineSourceBorders; the surface must be oriented as for
-   * SetGenerateSignedDistance().
+   * Whether the output has the point array SourceTextureCoordinates, as active texture coordinates:
+   * SourceArcLength and SignedGeodesicDistance of a curve, the distance times the cosine and the
+   * sine of SourceAngle around a point, divided by TextureScale. That is the length, in the units
+   * of the surface, after which a texture repeats (default: 0, a round number near a tenth of the
+   * bounding box's diagonal). With TextureRepeats, the default, tiles begin at the source; without,
+   * 0 to 1 is one picture with a point source in its middle, or a curve through half of its height.
+   * Includes RefineSourceBorders; the surface must be oriented as for SetGenerateSignedDistance().
+   * A TextureScale that is negative, infinite or NaN is an error.
    */
   vtkSetMacro(GenerateTextureCoordinates, bool);
   vtkGetMacro(GenerateTextureCoordinates, bool);
   vtkBooleanMacro(GenerateTextureCoordinates, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The length on the surface after which a texture repeats, in the units of the surface. 0, the
-   * default, stands for 1, 2 or 5 times a power of ten, near a tenth of the bounding box's
-   * diagonal.
-   */
   vtkSetMacro(TextureScale, double);
   vtkGetMacro(TextureScale, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether a texture is laid in tiles that begin at the source (the default). Without this
-   * coordinates from 0 to 1 are one picture, TextureScale wide: its middle is at a point source; it
-   * begins where a curve does, and the curve runs through the middle of its height.
-   */
   vtkSetMacro(TextureRepeats, bool);
   vtkGetMacro(TextureRepeats, bool);
   vtkBooleanMacro(TextureRepeats, bool);
   ///@}
 
+  ///@{
   /**
    * After an execution: the number of windows that the propagation handled, divided by the number
-   * of mesh edges.
+   * of mesh edges; the length on the surface of all curves of the source; the farthest that any
+   * point of the source was from where it was put on the surface; and how many points on the
+   * boundary of the surface, its blocks or ranks' pieces were joined with others although their
+   * coordinates differ.
    */
   vtkGetMacro(WindowsPropagatedPerEdge, double);
-
-  /**
-   * After an execution: the length on the surface of all curves of the source; 0 for points.
-   */
   vtkGetMacro(SourceLength, double);
-
-  /**
-   * After an execution: the farthest that any point of the source was from where it was put on the
-   * surface.
-   */
   vtkGetMacro(SourceSnapDistance, double);
-
-  /**
-   * After an execution: what is certified about the relative error of the computed distance, at
-   * most RelativeError. It is 0 where the distance is exact.
-   */
-  vtkGetMacro(RelativeErrorBound, double);
-
-  /**
-   * After an execution with RefineMesh: the certified difference between the linear interpolant of
-   * the output and the computed distance, anywhere on triangles that are reached and have a point
-   * within MaximumDistance, in the units of the surface. At most the tolerance, or a warning says
-   * why not. Infinite if the surface was not refined.
-   */
-  vtkGetMacro(InterpolationErrorBound, double);
-
-  /**
-   * After an execution: how many points on the boundary of the surface, its blocks or the pieces of
-   * several ranks were joined with others although their coordinates differ.
-   */
   vtkGetMacro(SeamPointsJoined, vtkIdType);
+  ///@}
 
   ///@{
   /**
-   * After an execution: the largest distance at the points of the output's triangles, on all ranks,
-   * and where it is: the first such point, in space. Points that are not reached do not count. The
-   * place is the origin as long as the largest distance is 0.
+   * After an execution, certified: the relative error of the computed distance, at most
+   * RelativeError, 0 where it is exact; and the difference between the linear interpolant of the
+   * output and the computed distance, anywhere on triangles that are reached and have a point
+   * within MaximumDistance, in the units of the surface: at most the tolerance, or a warning says
+   * why not; infinite if the surface was not refined.
+   */
+  vtkGetMacro(RelativeErrorBound, double);
+  vtkGetMacro(InterpolationErrorBound, double);
+  ///@}
+
+  ///@{
+  /**
+   * After an execution, of the points of the output's triangles, on all ranks: the largest distance
+   * of those that are reached; where the first such point is, in space (the origin as long as the
+   * largest distance is 0); and whether a point is not reached.
    */
   vtkGetMacro(LargestDistance, double);
   vtkGetVector3Macro(FarthestPoint, double);
-  ///@}
-
-  /**
-   * After an execution: whether a point of the output's triangles is not reached, on any rank.
-   */
   vtkGetMacro(HasUnreachedPoints, bool);
+  ///@}
 
 protected:
   vtkGeodesicDistanceField();

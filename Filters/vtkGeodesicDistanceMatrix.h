@@ -9,20 +9,16 @@
  * vtkGeodesicDistanceField gives for that source alone.
  *
  * @par Algorithm:
- * For each source a front goes out (see vtkGeodesicDistanceField), until all targets are settled:
- * of targets near the source the rest of the surface costs nothing. Sources are solved side by side
- * on the threads that vtkSMPTools is set to use, one thread a source, each of which takes the
- * memory of one solve. Where fronts from the targets are fewer, and go less far by an estimate,
- * they go out from there: 3 targets of 500 sources take 3 solves. With targets that are points the
- * sources must be points, too, for that. If sets of targets (TargetIdArrayName) are the sources
- * themselves, the table is symmetric, and one of each two is solved.
+ * For each source a front goes out (see vtkGeodesicDistanceField), until all targets are settled.
+ * Sources are solved side by side on the threads that vtkSMPTools is set to use, one thread a
+ * source, each of which takes the memory of one solve. Where fronts from the targets are fewer, and
+ * go less far by an estimate, they go out from there: 3 targets of 500 sources take 3 solves. With
+ * targets that are points the sources must be points, too, for that.
  *
  * @par Input:
  * Port 0 takes the surface, port 1 the sources: see vtkGeodesicAlgorithm. Each part of port 1 that
  * has an id of its own is a source, as is each loop of the boundary, if SourceType asks for it.
- * Port 2, optional, takes the targets: every point of a vtkPointSet, put onto the closest point of
- * the surface, or sets of points, lines and regions (TargetIdArrayName). Where it is not connected
- * the targets are those of port 1.
+ * Port 2, optional, takes the targets.
  *
  * @par Output:
  * A vtkTable with one row a target, in their order, and the columns
@@ -67,8 +63,9 @@ public:
 
   ///@{
   /**
-   * The targets on port 2: every point of a vtkPointSet, or of all blocks of a composite data set.
-   * Without them the points of port 1 are the targets.
+   * The targets on port 2: every point of a vtkPointSet, or of all blocks of a composite data set,
+   * put onto the closest point of the surface, or sets of points, lines and regions
+   * (TargetIdArrayName). Without this input the targets are those of port 1.
    */
   void SetTargetsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
   void SetTargetsData(vtkDataObject* targets) { this->SetInputDataInternal(2, targets); }
@@ -87,10 +84,9 @@ public:
   /**
    * Name of an array of strings or integers that says what the source's parts are called: their
    * columns have these names. It belongs to the points of a set of points, and to the cells of any
-   * other data set. Parts that are one source go by the first one's name. A name that another
-   * column has is followed by "_" and the source's id: of two points 3 and 5 called "Cz" the
-   * columns are "Cz" and "Cz_5". Without a name, as loops of the boundary are, a column is "Source"
-   * and the id. Empty (null), the default, and "None" stand for no such array.
+   * other data set. Parts that are one source go by the first one's name. Of two points 3 and 5
+   * called "Cz" the columns are "Cz" and "Cz_5"; without a name, as loops of the boundary are, a
+   * column is "Source" and the id. Empty (null), the default, and "None" stand for no such array.
    */
   vtkSetStringMacro(SourceNameArrayName);
   vtkGetStringMacro(SourceNameArrayName);
@@ -102,13 +98,10 @@ public:
    * that makes sets of them: all that has one value is one target, with one row, whose `TargetId`
    * is the value; rows ascend. Negative values stand for no target. It is an array of the points of
    * a set of points, and of the cells of any other data set, or else of its points. The distance of
-   * a target is the least over its points, along its lines, and along the outline of its faces,
-   * which are a region (as those of a source are), also between vertices; it is 0 where the source
-   * has a point in the region. Empty (null), the default, and "None" stand for no such array: each
-   * point is a target.
-   *
-   * If port 2 is not connected and SourceIdArrayName is the same array, the table is that of all
-   * regions from one another.
+   * a target is the least over its points, its lines, and its faces, which are a region (as those
+   * of a source are). Empty (null), the default, and "None" stand for no such array: each point is
+   * a target. If port 2 is not connected and SourceIdArrayName is the same array, the table is that
+   * of all sets from one another.
    */
   vtkSetStringMacro(TargetIdArrayName);
   vtkGetStringMacro(TargetIdArrayName);

@@ -4,7 +4,6 @@
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Inputs.h"
 #include "PolyData/ranks/SharedResults.h"
-#include "PolyData/writing/CellsOfFaces.h"
 #include "PolyData/writing/LineWriter.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "paths/PathsToSource.h"
@@ -36,7 +35,7 @@ void FindCells(const Inputs& inputs, const std::vector<std::vector<RankAddress>>
   {
     all.insert(all.end(), some.begin(), some.end());
   }
-  const std::vector<vtkIdType> cells = cellsOfFaces(*inputs.surface, inputs.surfaceBlocks, all);
+  const std::vector<vtkIdType> cells = inputs.surface->inputCellsOf(all);
   auto next = cells.begin();
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
@@ -137,17 +136,14 @@ void vtkGeodesicPaths::Compute(
   const bool isWorking = inputs.rank.isWorking();
   std::vector<PathOfTarget> paths;
   SourceFrames frames;
-  PowerOfTwoScale scale;
+  PowerOfTwoScale scale = inputs.surface->scale;
   if (isWorking)
   {
     paths = FindPaths(inputs, this->GenerateFaceIds, execution);
     if (this->GenerateSourceAngle)
     {
-      const Sources& sources = inputs.sources;
-      frames = framesBySource(CurvesOnPatch(*inputs.patch, sources.curves), sources.curves,
-        sources.ids, sources.areNamed);
+      frames = framesBySource(CurvesOnPatch(*inputs.patch, inputs.sources.curves), inputs.sources);
     }
-    scale = inputs.surface->scale;
   }
   if (exchange.numberOfRanks() > 1)
   {

@@ -9,10 +9,9 @@
  * curvature and at reflex corners of the boundary.
  *
  * @par Algorithm:
- * One front goes from the source (see vtkGeodesicDistanceField), until all targets are settled: a
- * target nearby costs a small part of the whole surface. Each vertex remembers the direction in
- * which its shortest path came. A path is then followed backwards, straight through face after face
- * to the pseudo-source or the source that its rays left.
+ * One front goes from the source (see vtkGeodesicDistanceField), until all targets are settled. A
+ * path is then followed backwards, straight through face after face to the pseudo-source or the
+ * source that its rays left.
  *
  * @par Input:
  * Port 0 takes the surface, port 1, optional, the source: see vtkGeodesicAlgorithm, also for
@@ -24,8 +23,7 @@
  * A vtkPolyData with one polyline for each target that is reached, in the order of the targets,
  * from the target to the source. It has a point at every mesh edge that it crosses, and no others
  * but its ends and the vertices that it passes; each piece lies in one face. A target on the source
- * gives two equal points. Where there are several shortest paths, it is one of them. Lines do not
- * share points. There are
+ * gives two equal points. Lines do not share points. There are
  * - cell data array `TargetId` (vtkIdType): the target, by its point id on port 2; with a composite
  *   data set ids go on from block to block,
  * - cell data array `SourceId` (vtkIdType): the part of the source that the path ends on, as
@@ -98,11 +96,10 @@ public:
 
   ///@{
   /**
-   * Whether the output has the point array FaceId: the cell of the surface's input in which each
-   * path goes on from the point; at its last point, the cell that it has come through. Along an
-   * edge it is any of the cells there. Of a composite surface the cells of all blocks are numbered
-   * in their flattened order, as if they were one data set; of a surface in pieces those of all
-   * ranks, one rank after another, ghost cells included. Off by default.
+   * Whether the output has the point array FaceId: the cell of the surface's input (any of those at
+   * an edge) in which each path goes on from the point; at its last point, the cell that it has
+   * come through. Cells of all blocks in their flattened order, and of the pieces of all ranks,
+   * ghost cells included, are numbered as one data set. Off by default.
    */
   vtkSetMacro(GenerateFaceIds, bool);
   vtkGetMacro(GenerateFaceIds, bool);

@@ -151,7 +151,7 @@ struct InputReader
     this->cache.update(this->inputs.surfaceBlocks, this->request.merging,
       isInPieces ? this->exchange : OneRank::instance(), job);
     this->inputs.surface = &this->cache.surface();
-    noteSurface(*this->inputs.surface, this->inputs.surfaceBlocks, this->notes);
+    noteSurface(*this->inputs.surface, this->notes);
   }
 
   /// Reads the sources, and makes the patch that they lie on.
@@ -170,10 +170,11 @@ struct InputReader
     }
     const Job locating = this->execution.begin(Stage::LocateSource);
     SourcePatch faces(this->inputs.surface->partition);
-    std::optional<SurfaceBoundary> boundary;
+    std::vector<SourceCurve> loops;
     if (this->request.fromBoundary)
     {
-      boundary.emplace(*this->inputs.surface, faces, locating.part(0.0, hasCurve ? 0.0 : 1.0));
+      loops = boundaryOfAllFaces(*this->inputs.surface);
+      faces.addBoundary(loops);
     }
     if (hasCurve)
     {
@@ -183,19 +184,18 @@ struct InputReader
     {
       this->inputs.patch = faces.make();
     }
-    if (boundary)
+    if (this->request.fromBoundary)
     {
-      this->addBoundary(boundary->curvesOn(*this->inputs.patch), hasCurve);
+      this->addBoundary(std::move(loops), hasCurve);
     }
   }
 
   /// \param targets their name, if the parts are sets of targets; else null.
-  SourceParts readParts(
+  SourceCells readParts(
     const std::vector<PolyDataBlock>& blocks, const PartName* targets, const Job& job) const
   {
-    return geodesic::readParts(
-      { blocks, targets, targets || this->request.areLinesJoined, *this->inputs.surface,
-        this->inputs.surfaceBlocks, this->cache.locator() },
+    return geodesic::readParts({ blocks, targets, targets || this->request.areLinesJoined,
+                                 *this->inputs.surface, this->cache.locator() },
       job);
   }
 
@@ -205,7 +205,7 @@ struct InputReader
   {
     const MeshPartition& surface = this->inputs.surface->partition;
     const bool isDistributed = surface.isDistributed();
-    SourceParts source = this->readParts(blocks, nullptr, locating);
+    SourceCells source = this->readParts(blocks, nullptr, locating);
     faces.addFacesAround(source.located);
     for (const SourceFace& face : source.faces)
     {
@@ -250,7 +250,7 @@ struct InputReader
   /// Puts polylines onto the surface, with the faces that their regions cover: the first curve of
   /// their source, which has one, gets them.
   static SourceCurves curvesOn(
-    const ReplicatedPatch& patch, const SourceParts& source, const JoinPoints& join, const Job& job)
+    const ReplicatedPatch& patch, const SourceCells& source, const JoinPoints& join, const Job& job)
   {
     SourceCurves on = putOntoSurface(patch.mesh(), source.polylines, source.precision, join, job);
     std::unordered_map<Id, std::size_t> first;
@@ -273,16 +273,20 @@ struct InputReader
   void addBoundary(std::vector<SourceCurve> loops, bool hasCurve) const
   {
     Sources& sources = this->inputs.sources;
+    const ReplicatedPatch& patch = *this->inputs.patch;
+    const Id globalIds = this->inputs.surface->partition.numberOfGlobalVertices();
     for (SourceCurve& loop : loops)
     {
       loop.source = static_cast<Id>(sources.ids.size());
       sources.ids.push_back(sources.idEnd++);
+      for (SurfacePoint& point : loop.points)
+      {
+        // Vertices that only barriers have keep their numbers, behind those of the patch.
+        point.id = point.id < globalIds ? patch.vertexAt(point.id) : point.id;
+      }
     }
     const bool isClosed = loops.empty();
-    if (this->inputs.surface->barriers)
-    {
-      loops = boundaryOutsideBarriers(loops, this->inputs.patch->mesh());
-    }
+    loops = boundaryOutsideBarriers(loops, patch.mesh());
     const std::string nothing = isClosed
       ? "The surface (input port 0) is closed: it has no boundary to measure from."
       : "The whole boundary of the surface (input port 0) belongs to barriers (BarrierArrayName), "
@@ -345,7 +349,7 @@ struct InputReader
   {
     const Job job = this->execution.begin(Stage::ReadTargets);
     const PartName name = this->nameOfTargets();
-    SourceParts read = this->readParts(this->inputs.targetBlocks.blocks, &name, job.part(0.0, 0.9));
+    SourceCells read = this->readParts(this->inputs.targetBlocks.blocks, &name, job.part(0.0, 0.9));
     const TriangleMesh& mesh = this->inputs.patch->mesh();
     read.located.setFaces(*this->inputs.patch, read.polylines);
     SourceCurves curves =
@@ -398,7 +402,11 @@ Inputs readInputs(const InputRequest& request, const ExecutionPlan& plan, Surfac
     inputs.targetBlocks = isSource ? source : reader.gatherTargets();
   }
   inputs.rank = findRole(inputs.surfaceBlocks, plan.supportsPieces, reader.exchange);
-  if (inputs.rank.isWorking())
+  if (!inputs.rank.isWorking())
+  {
+    inputs.surface = &cache.keepNothing(inputs.surfaceBlocks.size());
+  }
+  else
   {
     reader.readSurface(reading);
     reader.readSources(source.blocks);

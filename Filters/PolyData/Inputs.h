@@ -129,8 +129,8 @@ struct Inputs
   /// Of all ranks; empty if the plan has no targets.
   GatheredBlocks targetBlocks;
 
-  /// The surface, which the cache keeps. If this rank is not working, it is null, and all that
-  /// follows is empty.
+  /// The surface, which the cache keeps. If this rank is not working, it has blocks without points,
+  /// and all that follows is empty.
   const PolyDataSurface* surface = nullptr;
   /// What all ranks have of the surface around the source; in one process all of it.
   std::optional<ReplicatedPatch> patch;

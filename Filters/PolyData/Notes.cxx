@@ -71,7 +71,7 @@ FarPoints farPointsOf(
 /// "2 segments of the source run over another: segment 3 of cell 0, segment 8 of cell 0. Leave ..."
 ///
 /// \param one, many what one segment does, or several.
-void noteSegments(const char* cause, const SourceParts& source,
+void noteSegments(const char* cause, const SourceCells& source,
   const std::vector<SegmentOfPolyline>& segments, const std::string& one, const std::string& many,
   const std::string& advice, Notes& notes)
 {
@@ -90,7 +90,7 @@ void noteSegments(const char* cause, const SourceParts& source,
   }
 }
 
-void noteDetours(const SourceParts& source, const SourceCurves& onSurface, Notes& notes)
+void noteDetours(const SourceCells& source, const SourceCurves& onSurface, Notes& notes)
 {
   std::ostringstream longer;
   longer << " several times as long on the surface as straight (up to " << std::setprecision(2)
@@ -164,8 +164,7 @@ std::string GivenNotes::take(const Notes& notes, vtkAlgorithm* filter)
   return text;
 }
 
-void noteSurface(
-  const PolyDataSurface& surface, const std::vector<PolyDataBlock>& blocks, Notes& notes)
+void noteSurface(const PolyDataSurface& surface, Notes& notes)
 {
   const SurfaceReport& read = surface.report;
   notes.add(
@@ -182,7 +181,7 @@ void noteSurface(
     if (read.cellOfFirstCrossing >= 0)
     {
       text += ", first " +
-        blocks[read.blockOfFirstCrossing]
+        surface.blocks[read.blockOfFirstCrossing]
           .name.part("cell", read.cellOfFirstCrossing)
           .withoutInput();
     }
@@ -204,7 +203,7 @@ void noteSurface(
   }
 }
 
-void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh, const SourceParts& source,
+void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh, const SourceCells& source,
   const SourceCurves& onSurface, double beyond, Notes& notes)
 {
   notes.add(NoteOn::Source, source.droppedCells, "cell", "cells",
@@ -224,7 +223,7 @@ void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh, const 
 }
 
 void noteSides(
-  const TriangleMesh& mesh, const SourceParts& source, const SourceCurves& onSurface, Notes& notes)
+  const TriangleMesh& mesh, const SourceCells& source, const SourceCurves& onSurface, Notes& notes)
 {
   std::vector<SegmentOfPolyline> segments;
   for (const SegmentOfCurve& at : opposedSegments(mesh, onSurface.curves))
@@ -277,7 +276,7 @@ void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock
 }
 
 void noteTargetSets(const PolyDataSurface& surface, const TriangleMesh& mesh,
-  const SourceParts& targets, NoteOn input, Notes& notes)
+  const SourceCells& targets, NoteOn input, Notes& notes)
 {
   notes.add(input, targets.droppedCells, "cell", "cells",
     "of the targets left out: neither vertices, lines nor flat faces.");

@@ -18,7 +18,7 @@ class TriangleMesh;
 struct PolyDataBlock;
 struct PolyDataSurface;
 struct SourceCurves;
-struct SourceParts;
+struct SourceCells;
 struct Targets;
 
 /// The input, by its port, that a note is about.
@@ -86,23 +86,20 @@ private:
 };
 
 /// What was noticed when the surface was read.
-///
-/// \param blocks from which it was read.
-void noteSurface(
-  const PolyDataSurface& surface, const std::vector<PolyDataBlock>& blocks, Notes& notes);
+void noteSurface(const PolyDataSurface& surface, Notes& notes);
 
 /// What was noticed when the source was put onto the surface.
 ///
 /// \param mesh on which the source was located.
 /// \param source before, and onSurface after that.
 /// \param beyond a source that is farther away than this fraction of the surface's diagonal is far.
-void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh, const SourceParts& source,
+void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh, const SourceCells& source,
   const SourceCurves& onSurface, double beyond, Notes& notes);
 
 /// What makes signs of distances ambiguous: curves, as put onto the surface, that run over
 /// themselves or each other in opposite directions.
 void noteSides(
-  const TriangleMesh& mesh, const SourceParts& source, const SourceCurves& onSurface, Notes& notes);
+  const TriangleMesh& mesh, const SourceCells& source, const SourceCurves& onSurface, Notes& notes);
 
 /// What was noticed when targets were put onto the surface. All ranks call this together and note
 /// the same.
@@ -113,7 +110,7 @@ void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock
   const Targets& targets, NoteOn input, Notes& notes);
 /// The same of sets of targets, which are on the surface in one process.
 void noteTargetSets(const PolyDataSurface& surface, const TriangleMesh& mesh,
-  const SourceParts& targets, NoteOn input, Notes& notes);
+  const SourceCells& targets, NoteOn input, Notes& notes);
 
 }
 

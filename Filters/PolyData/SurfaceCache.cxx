@@ -96,7 +96,7 @@ void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, const PointM
     this->exchange_ == &exchange;
   if (!exchange.isTrueAnywhere(!isKept))
   {
-    this->surface_->useCellsOf(blocks);
+    this->surface_->useBlocks(blocks);
     return;
   }
   this->release();
@@ -105,6 +105,19 @@ void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, const PointM
   this->key_ = key;
   this->merging_ = merging;
   this->exchange_ = &exchange;
+}
+
+const PolyDataSurface& SurfaceCache::keepNothing(std::size_t numberOfBlocks)
+{
+  this->release();
+  this->surface_ = std::make_unique<PolyDataSurface>();
+  this->surface_->blocks.resize(numberOfBlocks);
+  for (SurfaceBlock& block : this->surface_->blocks)
+  {
+    block.triangles = vtkSmartPointer<vtkCellArray>::New();
+  }
+  this->key_ = {};
+  return *this->surface_;
 }
 
 void SurfaceCache::release()

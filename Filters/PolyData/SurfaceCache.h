@@ -42,6 +42,8 @@ public:
   /// The paths between far points of curves on it.
   JoinedPaths& joinedPaths() { return this->joinedPaths_; }
 
+  /// Keeps a surface of as many blocks, without points.
+  const PolyDataSurface& keepNothing(std::size_t numberOfBlocks);
   /// Frees the memory.
   void release();
 

@@ -342,8 +342,7 @@ std::vector<geodesic::SourceCurve> makeCurves(
   const std::vector<geodesic::PolyDataBlock> blocks =
     geodesic::polyDataBlocks(source.curves, geodesic::PartName("the source"));
   geodesic::PolylineLocator locator(surface.partition);
-  geodesic::SourceParts read =
-    geodesic::readParts({ blocks, nullptr, true, surface, blocks, locator }, {});
+  geodesic::SourceCells read = geodesic::readParts({ blocks, nullptr, true, surface, locator }, {});
   read.located.setFaces(geodesic::ReplicatedPatch(surface.mesh()), read.polylines);
   return geodesic::putOntoSurface(
     surface.mesh(), read.polylines, read.precision, geodesic::joinByShortestPaths(surface.mesh()))

@@ -382,6 +382,16 @@ void CheckBoundary(Check& check)
       return p[0] < 0.25 ? infinity : std::min({ 1.0 - p[0], p[1], 1.0 - p[1] });
     },
     "a barrier along one side");
+  // A face that is given twice, once as a barrier, counts as one.
+  const auto twice = Mesh({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 } },
+    { { 0, 1, 2 }, { 0, 1, 2 }, { 0, 2, 3 } });
+  AddArrayOf<vtkIntArray>(
+    twice->GetCellData(), "barrier", 3, [](vtkIdType cell) { return cell == 1 ? 1 : 0; });
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
+  RunWithBarriers(check, filter, twice, nullptr, "a face given twice");
+  CheckTruth(
+    check, filter->GetOutput(), [](const Point&) { return 0.0; }, "a face given twice");
 }
 
 void CheckCurveIsJoinedAround(Check& check)

@@ -533,6 +533,12 @@ void TestPieces(Check& check, Ranks ranks, vtkPolyData* surface)
     cells += filter->GetOutput()->GetNumberOfCells();
   }
   check.Equal(cells, piece->GetNumberOfCells(), "of three pieces a rank each cell is in one");
+  const auto alone = Asked(surface, question);
+  alone->SetController(nullptr);
+  alone->Update();
+  const double windows = filter->GetWindowsPropagatedPerEdge();
+  check.That(std::abs(windows / alone->GetWindowsPropagatedPerEdge() - 1.0) < 0.1,
+    "edges count once: " + std::to_string(windows) + " windows an edge");
   // A source that makes pieces itself is asked for the rank's.
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(24);

@@ -68,16 +68,21 @@ void addPieces(const SourceCurve& curve, const TriangleMesh& mesh, std::vector<S
 
 std::vector<SourceCurve> boundaryCurves(const TriangleMesh& mesh)
 {
-  std::vector<Id> boundary;
-  std::vector<Id> ends; // vertices, two a halfedge
+  std::vector<Id> faces;
+  std::vector<Id> ends;
   for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
   {
     if (mesh.isBoundary(halfedge))
     {
-      boundary.push_back(halfedge);
+      faces.push_back(TriangleMesh::faceOf(halfedge));
       ends.insert(ends.end(), { mesh.origin(halfedge), mesh.destination(halfedge) });
     }
   }
+  return curvesAlong(ends, faces);
+}
+
+std::vector<SourceCurve> curvesAlong(const std::vector<Id>& ends, const std::vector<Id>& faces)
+{
   std::vector<Chain> chains = followChains(ends);
   beginAtLowestEnds(chains);
   std::vector<SourceCurve> curves;
@@ -89,7 +94,7 @@ std::vector<SourceCurve> boundaryCurves(const TriangleMesh& mesh)
     {
       curve.points.push_back(SurfacePoint::atVertex(ends[end ^ 1U]));
       curve.isCut.push_back(0);
-      curve.faces.push_back(TriangleMesh::faceOf(boundary[end / 2]));
+      curve.faces.push_back(faces[end / 2]);
     }
   }
   return curves;

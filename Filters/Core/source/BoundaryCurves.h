@@ -14,11 +14,17 @@ namespace geodesic
 /// one curve. Empty for a closed surface.
 std::vector<SourceCurve> boundaryCurves(const TriangleMesh& mesh);
 
+/// The same of edges that are given.
+///
+/// \param ends their vertices, two an edge.
+/// \param faces one an edge.
+std::vector<SourceCurve> curvesAlong(const std::vector<Id>& ends, const std::vector<Id>& faces);
+
 /// The part of a surface's boundary on the faces of a mesh without barriers: the pieces along edges
 /// of these faces, and single vertices where faces touch the boundary in a point only. No path
 /// leaves the rest. Pieces keep the `source` of their curve; a complete curve stays unchanged.
 ///
-/// \param boundary curves of the whole surface, from boundaryCurves().
+/// \param boundary curves of the whole surface, whose faces do not matter.
 /// \param mesh the faces that are not barriers, with the same vertices; vertices that only barriers
 ///        use may be missing at the end.
 std::vector<SourceCurve> boundaryOutsideBarriers(

@@ -4,7 +4,8 @@
 #include "source/BoundaryCurves.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <array>
+#include <set>
 
 namespace geodesic
 {
@@ -47,25 +48,6 @@ void SourcePatch::addFacesAtVertex(Id vertex)
   }
 }
 
-void SourcePatch::addBoundary()
-{
-  if (!this->surface_.isDistributed())
-  {
-    return;
-  }
-  const TriangleMesh& mesh = this->surface_.mesh();
-  for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
-  {
-    // At the vertices of faces that this rank owns, the partition is as the whole.
-    const bool isKnown = mesh.origin(halfedge) < this->surface_.numberOfOwnVertices() ||
-      mesh.destination(halfedge) < this->surface_.numberOfOwnVertices();
-    if (mesh.isBoundary(halfedge) && isKnown)
-    {
-      this->addFacesAround(TriangleMesh::faceOf(halfedge));
-    }
-  }
-}
-
 bool SourcePatch::addFaces(const std::vector<Id>& faces)
 {
   for (const Id face : faces)
@@ -75,13 +57,19 @@ bool SourcePatch::addFaces(const std::vector<Id>& faces)
   return this->surface_.exchange().isTrueAnywhere(!faces.empty());
 }
 
-void SourcePatch::addFacesAt(const std::vector<Id>& globalIds)
+void SourcePatch::addBoundary(const std::vector<SourceCurve>& loops)
 {
-  if (!this->surface_.isDistributed())
+  std::vector<Id> globalIds;
+  for (const SourceCurve& loop : loops)
   {
-    return;
+    for (const SurfacePoint& point : loop.points)
+    {
+      globalIds.push_back(point.id);
+    }
   }
-  for (Id vertex = 0; vertex < this->surface_.numberOfOwnVertices(); ++vertex)
+  std::sort(globalIds.begin(), globalIds.end());
+  for (Id vertex = 0; !this->isChosen_.empty() && vertex < this->surface_.numberOfOwnVertices();
+       ++vertex)
   {
     if (std::binary_search(globalIds.begin(), globalIds.end(), this->surface_.globalId(vertex)))
     {
@@ -106,96 +94,75 @@ ReplicatedPatch SourcePatch::make() const
 namespace
 {
 
-/// The curves of a patch's boundary that are boundary of the whole. A curve is that or the end of
-/// the patch, as the patch has all faces at each vertex on the boundary.
-std::vector<SourceCurve> globalBoundary(const ReplicatedPatch& patch)
-{
-  const TriangleMesh& mesh = patch.mesh();
-  std::vector<SourceCurve> curves = boundaryCurves(mesh);
-  const auto isEndOfPatch = [&](const SourceCurve& curve)
-  {
-    const Id halfedge = mesh.halfedgeBetween(curve.points[0].id, curve.points[1].id);
-    return !patch.isGlobalBoundary(halfedge);
-  };
-  curves.erase(std::remove_if(curves.begin(), curves.end(), isEndOfPatch), curves.end());
-  return curves;
-}
-
-/// Gives the points of curves on a patch global numbers in place of vertices.
+/// Adds the edges on the boundary of a partition, of faces that this rank owns.
 ///
-/// \param globalIds of the vertices of each rank's own faces.
-/// \returns these numbers, ascending.
-std::vector<Id> giveGlobalIds(const ReplicatedPatch& patch, const std::vector<Id>& globalIds,
-  Exchange& exchange, std::vector<SourceCurve>& curves)
+/// \param idOf the global number of a vertex of the partition: (Id) -> Id.
+template <typename IdOf>
+void addBoundaryOf(const MeshPartition& partition, const IdOf& idOf, std::vector<FaceEdge>& edges)
 {
-  Message message;
-  for (const SourceCurve& curve : curves)
+  const TriangleMesh& mesh = partition.mesh();
+  for (Id face = partition.firstOwnFace(); face < partition.endOfOwnFaces(); ++face)
   {
-    for (const SurfacePoint& point : curve.points)
+    const Triangle& t = mesh.triangle(face);
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      if (patch.vertexOfPart(point.id) != NoId)
+      if (mesh.isBoundary(TriangleMesh::halfedgeOf(face, static_cast<Id>(k))))
       {
-        put(message, point.id);
-        put(message, globalIds[patch.vertexOfPart(point.id)]);
+        edges.push_back({ idOf(t[k]), idOf(t[(k + 1) % 3]), idOf(t[(k + 2) % 3]) });
       }
     }
   }
-  std::unordered_map<Id, Id> idOf;
-  readEach(exchange.tellAll(message),
-    [&](int, MessageReader& reader)
-    {
-      const Id vertex = reader.get<Id>();
-      idOf[vertex] = reader.get<Id>();
-    });
-  std::vector<Id> all;
-  for (SourceCurve& curve : curves)
+}
+
+/// Of the edges of all faces, barriers or not, those on the boundary of one or the other.
+///
+/// \param edges on the boundary of the open faces, of this rank; then those of all faces.
+void addBarriers(const PolyDataSurface& surface, std::vector<FaceEdge>& edges)
+{
+  const std::vector<GlobalVertex> remote = surface.remoteVertices();
+  const Id inMesh = surface.mesh().numberOfVertices();
+  const auto idOf = [&](Id vertex) {
+    return vertex < inMesh ? surface.partition.globalId(vertex) : remote[vertex - inMesh].globalId;
+  };
+  addBoundaryOf(
+    surface.barriers->surface(), [&](Id i) { return idOf(surface.barrierVertices[i]); }, edges);
+  std::set<std::array<std::uint64_t, 2>> rims;
+  for (const FaceEdge& edge : valuesOfRanks(surface.exchange(), edges))
   {
-    for (SurfacePoint& point : curve.points)
+    rims.insert(endsOf(edge));
+  }
+  edges.clear();
+  for (Id part = 0; part < surface.numberOfParts; ++part)
+  {
+    const Triangle t = surface.verticesAt(part);
+    for (std::size_t k = 0; k < 3 && surface.isFace(part); ++k)
     {
-      point.id = idOf.at(point.id);
-      all.push_back(point.id);
+      const FaceEdge edge = { idOf(t[k]), idOf(t[(k + 1) % 3]), idOf(t[(k + 2) % 3]) };
+      if (rims.count(endsOf(edge)) > 0)
+      {
+        edges.push_back(edge);
+      }
     }
   }
-  std::sort(all.begin(), all.end());
-  return all;
 }
 
 } // anonymous namespace
 
-SurfaceBoundary::SurfaceBoundary(const PolyDataSurface& surface, SourcePatch& faces, const Job& job)
-  : numberOfGlobalVertices_(surface.partition.numberOfGlobalVertices())
+std::vector<SourceCurve> boundaryOfAllFaces(const PolyDataSurface& surface)
 {
-  if (!surface.barriers)
+  std::vector<FaceEdge> own;
+  addBoundaryOf(
+    surface.partition, [&](Id vertex) { return surface.partition.globalId(vertex); }, own);
+  if (surface.barriers)
   {
-    faces.addBoundary();
-    return;
+    addBarriers(surface, own);
   }
-  std::vector<Id> globalIds;
-  const MeshPartition all = surface.partitionWithBarriers(globalIds, job);
-  SourcePatch ofAll(all);
-  ofAll.addBoundary();
-  const ReplicatedPatch patch = ofAll.make();
-  this->ofAllFaces_ = globalBoundary(patch);
-  faces.addFacesAt(giveGlobalIds(patch, globalIds, all.exchange(), *this->ofAllFaces_));
-}
-
-std::vector<SourceCurve> SurfaceBoundary::curvesOn(const ReplicatedPatch& patch) const
-{
-  if (!this->ofAllFaces_)
+  std::vector<Id> ends;
+  for (const FaceEdge& edge : edgesOfOneFace(valuesOfRanks(surface.exchange(), own)))
   {
-    return globalBoundary(patch);
+    ends.insert(ends.end(), { static_cast<Id>(edge[0]), static_cast<Id>(edge[1]) });
   }
-  std::vector<SourceCurve> curves = *this->ofAllFaces_;
-  for (SourceCurve& curve : curves)
-  {
-    for (SurfacePoint& point : curve.points)
-    {
-      point.id = point.id < this->numberOfGlobalVertices_
-        ? patch.vertexAt(point.id)
-        : point.id - this->numberOfGlobalVertices_ + patch.mesh().numberOfVertices();
-    }
-  }
-  return curves;
+  return curvesAlong(ends, std::vector<Id>(ends.size() / 2, NoId));
 }
 
 }

@@ -8,7 +8,6 @@
 #include "source/SourceCurve.h"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace geodesic
@@ -30,14 +29,12 @@ public:
   void addFacesAround(const LocatedPlaces& located);
   /// Adds a face of any rank and those at its vertices.
   void addFacesAround(const RankAddress& address);
-  /// Adds the faces on the boundary.
-  void addBoundary();
+  /// Adds the faces at the points of boundaryOfAllFaces().
+  void addBoundary(const std::vector<SourceCurve>& loops);
   /// Adds faces that this rank owns.
   ///
   /// \returns whether any rank has added one.
   bool addFaces(const std::vector<Id>& faces);
-  /// Adds the faces at vertices, by their global numbers.
-  void addFacesAt(const std::vector<Id>& globalIds);
 
   /// Makes the patch of all that was added.
   ReplicatedPatch make() const;
@@ -52,23 +49,10 @@ private:
   std::vector<std::uint8_t> isChosen_;
 };
 
-/// The boundary of a surface. The rims of barriers do not belong to it: the loops are those of the
-/// surface with its barriers.
-class SurfaceBoundary
-{
-public:
-  /// Finds it and adds its faces to a patch. All ranks call this together.
-  SurfaceBoundary(const PolyDataSurface& surface, SourcePatch& faces, const Job& job);
-
-  /// The loops as curves on the patch that was made of these faces. Vertices that only barriers
-  /// have follow those of the patch, for boundaryOutsideBarriers().
-  std::vector<SourceCurve> curvesOn(const ReplicatedPatch& patch) const;
-
-private:
-  Id numberOfGlobalVertices_;
-  /// With barriers: the loops, whose points have global numbers in place of vertices.
-  std::optional<std::vector<SourceCurve>> ofAllFaces_;
-};
+/// The boundary of all faces of a surface, barriers or not: the rims of barriers do not belong to
+/// it. Its points have global numbers in place of vertices, those that only barriers have behind
+/// all others; its faces say nothing. All ranks call this together.
+std::vector<SourceCurve> boundaryOfAllFaces(const PolyDataSurface& surface);
 
 }
 

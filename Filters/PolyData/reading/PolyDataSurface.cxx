@@ -1,13 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/reading/PolyDataSurface.h"
 
+#include "Questions.h"
+
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace geodesic
 {
+
+void SurfaceReport::addRanks(const MeshPartition& partition)
+{
+  // An edge counts on the rank that owns its first face.
+  const Id end = TriangleMesh::halfedgeOf(partition.endOfOwnFaces(), 0);
+  for (Id h = TriangleMesh::halfedgeOf(partition.firstOwnFace(), 0); h < end; ++h)
+  {
+    this->edges += partition.mesh().edgeOf(h) == h ? 1 : 0;
+  }
+  const std::vector<SurfaceReport> reports = valuesOfRanks(partition.exchange(), *this);
+  this->cellOfFirstCrossing = reports.size() > 1 ? -1 : this->cellOfFirstCrossing;
+  using Report = SurfaceReport;
+  for (vtkIdType Report::*count :
+    { &Report::droppedVertexCells, &Report::droppedLineCells, &Report::facesWithRepeatedPoint,
+      &Report::crossingOutlines, &Report::joinedSeamPoints, &Report::crackEdges, &Report::edges })
+  {
+    this->*count = std::accumulate(reports.begin(), reports.end(), vtkIdType(0),
+      [count](vtkIdType sum, const Report& report) { return sum + report.*count; });
+  }
+  for (const Report& report : reports)
+  {
+    this->crackWidth = std::max(this->crackWidth, report.crackWidth);
+  }
+}
 
 std::vector<GlobalVertex> PolyDataSurface::remoteVertices() const
 {
@@ -28,45 +55,20 @@ std::vector<GlobalVertex> PolyDataSurface::remoteVertices() const
   return vertices;
 }
 
-MeshPartition PolyDataSurface::partitionWithBarriers(
-  std::vector<Id>& globalIds, const Job& job) const
-{
-  std::vector<Triangle> faces;
-  for (Id i = 0; i < this->numberOfParts; ++i)
-  {
-    if (!this->isCopy(i))
-    {
-      faces.push_back(this->verticesAt(i));
-    }
-  }
-  const std::vector<GlobalVertex> remote = this->remoteVertices();
-  const Id inMesh = this->mesh().numberOfVertices();
-  std::vector<Vec3> points;
-  globalIds.clear();
-  for (const Id i : numberUsedVertices(faces, inMesh + remote.size()))
-  {
-    const GlobalVertex vertex = i < inMesh ? this->vertexOfMesh(i) : remote[i - inMesh];
-    points.push_back(vertex.position);
-    globalIds.push_back(vertex.globalId);
-  }
-  const std::vector<std::uint64_t> keys(globalIds.begin(), globalIds.end());
-  return { std::move(points), std::move(faces), keys, this->exchange(), job };
-}
-
 const TriangleMesh& PolyDataSurface::noMesh()
 {
   static const TriangleMesh none;
   return none;
 }
 
-void PolyDataSurface::useCellsOf(const std::vector<PolyDataBlock>& inputs)
+void PolyDataSurface::useBlocks(const std::vector<PolyDataBlock>& inputs)
 {
   for (std::size_t i = 0; i < this->blocks.size(); ++i)
   {
-    if (this->blocks[i].areInputCells)
-    {
-      this->blocks[i].triangles = inputs[i].data->GetPolys();
-    }
+    SurfaceBlock& block = this->blocks[i];
+    block.name = inputs[i].name;
+    block.numberOfInputCells = inputs[i].countInputCells();
+    block.triangles = block.areInputCells ? inputs[i].data->GetPolys() : block.triangles.Get();
   }
 }
 
@@ -94,10 +96,75 @@ std::size_t blockOf(const std::vector<SurfaceBlock>& blocks, Id item, Id Surface
   return static_cast<std::size_t>(next - blocks.begin()) - 1;
 }
 
-std::string PolyDataSurface::nameOfCell(Id triangle, const std::vector<PolyDataBlock>& inputs) const
+std::string PolyDataSurface::nameOfCell(Id triangle) const
 {
   const auto [block, cell] = this->inputCellOf(triangle);
-  return inputs[block].name.part("cell", cell).text();
+  return this->blocks[block].name.part("cell", cell).text();
+}
+
+std::vector<vtkIdType> PolyDataSurface::inputCellsOf(const std::vector<RankAddress>& faces) const
+{
+  std::vector<vtkIdType> firstCells = { 0 };
+  for (const SurfaceBlock& block : this->blocks)
+  {
+    firstCells.push_back(firstCells.back() + block.numberOfInputCells);
+  }
+  const auto before = static_cast<vtkIdType>(
+    sumOverRanks(this->exchange(), static_cast<std::uint64_t>(firstCells.back())).before);
+  const auto cellOf = [&](Id face)
+  {
+    const auto [block, cell] = this->inputCellOf(this->triangleOf(face));
+    return before + firstCells[block] + cell;
+  };
+  std::vector<vtkIdType> cells(faces.size());
+  Questions questions(this->exchange());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (faces[i].rank == this->exchange().rank())
+    {
+      cells[i] = cellOf(faces[i].id); // nearly all
+    }
+    else
+    {
+      questions.ask(faces[i].rank, i, faces[i].id);
+    }
+  }
+  questions.exchangeAnswers([&cellOf](MessageReader& question, Message& answer)
+    { put(answer, cellOf(question.get<Id>())); },
+    [&cells](std::size_t i, MessageReader& answer) { cells[i] = answer.get<vtkIdType>(); });
+  return cells;
+}
+
+std::array<std::uint64_t, 2> endsOf(const FaceEdge& edge)
+{
+  return { std::min(edge[0], edge[1]), std::max(edge[0], edge[1]) };
+}
+
+std::vector<FaceEdge> edgesOfOneFace(const std::vector<FaceEdge>& edges)
+{
+  std::vector<std::size_t> order(edges.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return endsOf(edges[a]) < endsOf(edges[b]); });
+  std::vector<std::size_t> single;
+  for (auto first = order.begin(); first != order.end();)
+  {
+    const FaceEdge& edge = edges[*first];
+    const auto end = std::find_if(
+      first, order.end(), [&](std::size_t i) { return endsOf(edges[i]) != endsOf(edge); });
+    if (std::all_of(first, end, [&](std::size_t i) { return edges[i][2] == edge[2]; }))
+    {
+      single.push_back(*first);
+    }
+    first = end;
+  }
+  std::sort(single.begin(), single.end());
+  std::vector<FaceEdge> found;
+  for (const std::size_t i : single)
+  {
+    found.push_back(edges[i]);
+  }
+  return found;
 }
 
 std::vector<Id> numberUsedVertices(std::vector<Triangle>& triangles, std::size_t numberOfVertices)

@@ -27,6 +27,9 @@ namespace geodesic
 /// The part of a surface that is one vtkPolyData.
 struct SurfaceBlock
 {
+  /// What messages call it, and how many cells it has: see PolyDataBlock.
+  PartName name;
+  vtkIdType numberOfInputCells = 0;
   /// Its points among those of all blocks.
   Id firstPoint = 0;
   Id numberOfPoints = 0;
@@ -155,6 +158,8 @@ struct SurfaceReport
   /// The edges of the mesh.
   vtkIdType edges = 0;
 
+  /// Makes the report of one rank's piece that of all ranks, which call this together.
+  void addRanks(const MeshPartition& partition);
   void addCrossingOutline(std::size_t block, vtkIdType cell)
   {
     if (this->crossingOutlines++ == 0)
@@ -213,9 +218,9 @@ struct PolyDataSurface
 
   const TriangleMesh& mesh() const { return this->partition.mesh(); }
   Exchange& exchange() const { return this->partition.exchange(); }
-  /// Takes the cells of an input with the same content in place of those of the input that this was
-  /// made of, which need not be kept any longer then.
-  void useCellsOf(const std::vector<PolyDataBlock>& inputs);
+  /// Takes names and cells of an input with the same content in place of those of the input that
+  /// this was made of, which need not be kept any longer then.
+  void useBlocks(const std::vector<PolyDataBlock>& inputs);
 
   /// Gives values at the mesh's vertices one at each vertex that vertexOf() names. All ranks call
   /// this together.
@@ -235,15 +240,16 @@ struct PolyDataSurface
   }
   /// The remote vertices: those that no face of the mesh here has. All ranks call this together.
   std::vector<GlobalVertex> remoteVertices() const;
-  /// Makes a mesh of all faces, barriers or not. All ranks call this together.
-  ///
-  /// \param globalIds filled with GlobalVertex::globalId of each vertex that the result's own faces
-  ///        have.
-  MeshPartition partitionWithBarriers(std::vector<Id>& globalIds, const Job& job) const;
 
   /// How many parts are surface, on all ranks, which call this together. The others are copies by
   /// ghost arrays.
   std::uint64_t countPartsOfAllRanks() const;
+  /// Whether a part is an open face or a barrier.
+  bool isFace(Id part) const
+  {
+    return (this->roles.empty() || this->roles[part] < TriangleRole::Copy) &&
+      hasThreeVertices(this->verticesAt(part));
+  }
   bool isCopy(Id part) const
   {
     return !this->roles.empty() && this->roles[part] == TriangleRole::Copy;
@@ -279,9 +285,11 @@ struct PolyDataSurface
     return { index, block.inputCell(triangle - block.firstTriangle) };
   }
   /// "cell 17 of the surface (input port 0)"
-  ///
-  /// \param inputs the blocks that the surface was read from.
-  std::string nameOfCell(Id triangle, const std::vector<PolyDataBlock>& inputs) const;
+  std::string nameOfCell(Id triangle) const;
+  /// The cells of the input that faces of any rank come from, by a number in the whole input: all
+  /// cells of all blocks, in their order, and of the ranks that have a piece, one after another.
+  /// All ranks that have a piece call this together.
+  std::vector<vtkIdType> inputCellsOf(const std::vector<RankAddress>& faces) const;
   std::size_t blockOf(Id item, Id SurfaceBlock::*first) const
   {
     return geodesic::blockOf(this->blocks, item, first);
@@ -290,6 +298,13 @@ struct PolyDataSurface
 private:
   static const TriangleMesh& noMesh();
 };
+
+/// An edge of a face, from one vertex to another, and the face's third vertex, by any numbers.
+using FaceEdge = std::array<std::uint64_t, 3>;
+/// The ends of an edge, the lower one first.
+std::array<std::uint64_t, 2> endsOf(const FaceEdge& edge);
+/// The edges that have one face, in their order. Faces on the same vertices count as one.
+std::vector<FaceEdge> edgesOfOneFace(const std::vector<FaceEdge>& edges);
 
 /// Numbers the vertices that triangles use, in their order, and changes the corners to these
 /// numbers.

@@ -21,7 +21,7 @@ namespace geodesic
 namespace
 {
 
-using Label = RankLabels::Label;
+using Label = PieceVertices::Label;
 
 /// A vertex that may be one with others.
 struct SeamVertex
@@ -40,10 +40,6 @@ struct SeamVertex
   double rounding = 0.0;
   double shortestEdge = Infinity;
 };
-
-/// An edge of a face by the labels of its ends, the lower one first, and of the face's third
-/// vertex.
-using SeamEdge = std::array<Label, 3>;
 
 /// How far two vertices may be apart that are one.
 struct Limits
@@ -161,7 +157,7 @@ std::vector<SeamVertex> findCandidates(
     {
       numbers[vertex] = static_cast<Id>(candidates.size());
       SeamVertex& added = candidates.emplace_back();
-      added.label = surface.vertices.labels.of(vertex);
+      added.label = surface.vertices.labelOf(vertex);
       added.position = position;
       added.isNearGhost = isNearGhost;
     }
@@ -188,12 +184,12 @@ void addCorner(const SeamSurface& surface, const Triangle& triangle, std::size_t
 /// Adds what the triangles tell of the candidates.
 ///
 /// \param numbers of vertices among the candidates.
-/// \returns the edges of faces between candidates.
-std::vector<SeamEdge> addTriangles(
+/// \returns the edges of faces between candidates, by labels.
+std::vector<FaceEdge> addTriangles(
   const SeamSurface& surface, const std::vector<Id>& numbers, std::vector<SeamVertex>& candidates)
 {
-  std::vector<SeamEdge> edges;
-  const RankLabels& labels = surface.vertices.labels;
+  std::vector<FaceEdge> edges;
+  const PieceVertices& vertices = surface.vertices;
   forEachTriangle(surface,
     [&](const Triangle& t, std::size_t block, bool isGhost)
     {
@@ -207,8 +203,8 @@ std::vector<SeamEdge> addTriangles(
         addCorner(surface, t, k, block, isGhost, candidates[number]);
         if (const Id next = t[(k + 1) % 3]; !isGhost && numbers[next] != NoId)
         {
-          const auto [low, high] = std::minmax({ labels.of(t[k]), labels.of(next) });
-          edges.push_back({ low, high, labels.of(t[(k + 2) % 3]) });
+          const auto [low, high] = std::minmax({ vertices.labelOf(t[k]), vertices.labelOf(next) });
+          edges.push_back({ low, high, vertices.labelOf(t[(k + 2) % 3]) });
         }
       }
     });
@@ -242,26 +238,20 @@ std::vector<SeamVertex> combineRanks(std::vector<SeamVertex> parts)
   return vertices;
 }
 
-/// Marks the ends of the edges that have one face; faces on the same three vertices count as one.
-void markBoundary(std::vector<SeamEdge> edges, std::vector<SeamVertex>& vertices)
+/// Marks the ends of the edges that have one face.
+void markBoundary(const std::vector<FaceEdge>& edges, std::vector<SeamVertex>& vertices)
 {
-  std::sort(edges.begin(), edges.end());
-  for (auto first = edges.begin(); first != edges.end();)
+  for (const FaceEdge& edge : edgesOfOneFace(edges))
   {
-    const SeamEdge& edge = *first;
-    const auto end = std::find_if(first, edges.end(),
-      [&edge](const SeamEdge& other) { return edge[0] != other[0] || edge[1] != other[1]; });
-    const bool isOnBoundary = edge[2] == (*(end - 1))[2];
     for (const Label label : { edge[0], edge[1] })
     {
       const auto vertex = std::lower_bound(vertices.begin(), vertices.end(), label,
         [](const SeamVertex& v, Label wanted) { return v.label < wanted; });
-      if (isOnBoundary && vertex != vertices.end() && vertex->label == label)
+      if (vertex != vertices.end() && vertex->label == label)
       {
         vertex->isOnBoundary = true;
       }
     }
-    first = end;
   }
 }
 
@@ -270,7 +260,7 @@ std::vector<SeamVertex> findSeamVertices(const SeamSurface& surface, Exchange& e
 {
   std::vector<Id> numbers;
   std::vector<SeamVertex> own = findCandidates(surface, exchange, numbers);
-  std::vector<SeamEdge> edges;
+  std::vector<FaceEdge> edges;
   if (!own.empty())
   {
     edges = addTriangles(surface, numbers, own);
@@ -281,7 +271,7 @@ std::vector<SeamVertex> findSeamVertices(const SeamSurface& surface, Exchange& e
     edges = valuesOfRanks(exchange, edges);
   }
   std::vector<SeamVertex> vertices = combineRanks(std::move(own));
-  markBoundary(std::move(edges), vertices);
+  markBoundary(edges, vertices);
   const auto isInside = [](const SeamVertex& vertex)
   { return vertex.hasFace && !vertex.isOnBoundary && !vertex.isNearGhost; };
   vertices.erase(std::remove_if(vertices.begin(), vertices.end(), isInside), vertices.end());
@@ -377,12 +367,12 @@ const SeamVertex& firstOf(const Group& group, const std::vector<SeamVertex>& ver
 ///        all.
 void join(const std::map<Label, const SeamVertex*>& firsts, PieceVertices& vertices)
 {
-  std::vector<Label>& labels = vertices.labels.labels;
+  std::vector<Label>& labels = vertices.labels;
   std::vector<Id> same(vertices.positions.size());
   std::iota(same.begin(), same.end(), Id(0));
   for (Id vertex = 0; vertex < same.size(); ++vertex)
   {
-    const auto found = firsts.find(vertices.labels.of(vertex));
+    const auto found = firsts.find(vertices.labelOf(vertex));
     if (found == firsts.end())
     {
       continue;
@@ -394,7 +384,7 @@ void join(const std::map<Label, const SeamVertex*>& firsts, PieceVertices& verti
     }
     else
     {
-      labels[vertex] = found->second->label | RankLabels::Shared;
+      labels[vertex] = found->second->label | PieceVertices::Shared;
     }
   }
   vertices.join(same);

@@ -3,7 +3,7 @@
 #define geodesic_Seams_h
 
 #include "Exchange.h"
-#include "PolyData/reading/PieceVertices.h"
+#include "PolyData/ranks/PieceVertices.h"
 #include "PolyData/reading/TriangleReader.h"
 
 #include <cstdint>

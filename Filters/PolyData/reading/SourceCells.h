@@ -4,7 +4,7 @@
 
 #include "PolyData/PolyDataBlocks.h"
 #include "mesh/MeshPartition.h"
-#include "source/PolylineOnSurface.h"
+#include "source/PolylineLocator.h"
 
 #include "vtkType.h"
 
@@ -21,10 +21,25 @@ struct SourceFace
 {
   /// A closed polyline that is not located. LocatedPolyline::source is that of its region.
   LocatedPolyline outline;
-  /// What the outlines of regions are made of: see cutAtFacesWithoutArea().
+  /// Its triangles, and what the outlines of regions are made of: see cutAtFacesWithoutArea().
+  std::vector<Triangle> triangles = {};
   std::vector<LocatedPolyline> parts = {};
-  /// The faces of the surface that it consists of, of all ranks; see SourceFaceMesh.
+  /// The faces of the surface that it consists of, of all ranks; see placeFaces().
   std::vector<RankAddress> covered = {};
+};
+
+/// The sources, or sets of targets, that an input has.
+struct PartIds
+{
+  /// Ascending; the `source` of a curve is the place of an id here. The number of a cell (of a
+  /// point in a set of points) over all blocks, unless an array names them.
+  std::vector<vtkIdType> ids;
+  /// What each of these is called: as the first of its cells. Empty unless an array says so.
+  std::vector<std::string> names;
+  /// Whether an array has named them.
+  bool areNamed = false;
+  /// All ids are below.
+  vtkIdType idEnd = 0;
 };
 
 /// The cells of a source, or of sets of targets, on the surface's scale. Cells are numbered over
@@ -50,6 +65,9 @@ struct SourceCells
   vtkIdType droppedCells = 0;
   /// The relative precision of the coordinates: that of the least precise block.
   double precision = 0.0;
+  /// By readParts(): what LocatedPolyline::source is the place of an id in, and where points are.
+  PartIds parts = {};
+  LocatedPlaces located = {};
 
   bool isEmpty() const { return this->polylines.empty() && this->faces.empty(); }
   /// What belongs together has one value.

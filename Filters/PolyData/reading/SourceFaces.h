@@ -4,16 +4,15 @@
 
 #include "PolyData/reading/SourceCells.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace geodesic
 {
 
-/// The numbers of each face's corners: points at one place have one number, in the order of their
-/// first corners.
-std::vector<std::vector<std::uint64_t>> numberCorners(
-  const std::vector<const LocatedPolyline*>& faces);
+/// Removes faces without area, unless none has an area, and cuts the others at their points, as
+/// those of a surface (removeFacesWithoutArea()): SourceFace::parts become the parts, or the face
+/// itself where it is not cut.
+void cutAtFacesWithoutArea(std::vector<SourceFace>& faces);
 
 /// Makes regions of the faces of a source. Its outline are the edges that one of its faces uses,
 /// joined to polylines; each runs in the direction of most of its edges in their faces, so that the

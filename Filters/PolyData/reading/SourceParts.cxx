@@ -2,7 +2,6 @@
 #include "PolyData/reading/SourceParts.h"
 
 #include "PolyData/reading/CoveredFaces.h"
-#include "PolyData/reading/CutSourceFaces.h"
 #include "PolyData/reading/LineChains.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/SourceFaces.h"
@@ -48,69 +47,6 @@ std::vector<vtkIdType> numbersLeft(const SourceCells& cells)
   return numbers;
 }
 
-/// SourceFaceMesh::findCovered() among the open faces of a surface, or among its barriers.
-std::vector<std::vector<RankAddress>> findCovered(
-  const SourceFaceMesh& mesh, const PolyDataSurface& surface, bool amongBarriers, const Job& job)
-{
-  const auto cellOf = [&](Id face) -> SurfaceCell
-  {
-    const auto [block, cell] = surface.inputCellOf(
-      amongBarriers ? surface.triangleOfBarrier(face) : surface.triangleOf(face));
-    return { surface.exchange().rank(), static_cast<vtkIdType>(block), cell };
-  };
-  return mesh.findCovered(
-    amongBarriers ? surface.barriers->surface() : surface.partition, cellOf, job);
-}
-
-/// Leaves out faces that lie in barriers, which are no faces of the surface. A face that the
-/// surface has is what it is there; any other is what is closest to a point inside of it. All ranks
-/// call this together.
-///
-/// \throws InputError if they are all of the source.
-void leaveOutFacesInBarriers(
-  const PartsRequest& from, const Job& job, const SourceFaceMesh& mesh, SourceCells& cells)
-{
-  const std::vector<LocatedPolyline> inside = mesh.pointsInside();
-  const LocatedPlaces places = from.locator.locate(inside, cells.precision, job);
-  // Thin faces, too, lie in one or in the other: no rim.
-  const std::vector<RankAddress> barriers =
-    from.surface.barriers->barriersAt(places.places, places.faces, cells.precision, 0.0);
-  const std::vector<std::vector<RankAddress>> covered =
-    findCovered(mesh, from.surface, true, job.part(1.0, 1.0));
-  std::vector<SourceFace> left;
-  for (std::size_t i = 0; i < covered.size(); ++i)
-  {
-    // An open face of another sheet may go through a barrier's middle.
-    const bool isClosest = barriers[places.indexOf(inside[i].points.front())].id != NoId;
-    if (!isClosest && (covered[i].empty() || !cells.faces[i].covered.empty()))
-    {
-      left.push_back(std::move(cells.faces[i]));
-    }
-  }
-  cells.faces = std::move(left);
-  if (cells.isEmpty())
-  {
-    throw InputError("All of the source (input port 1) lies in barriers (BarrierArrayName), which "
-                     "no path may leave. Choose faces outside of barriers.");
-  }
-}
-
-/// Finds where faces lie. All ranks call this together.
-void placeFaces(const PartsRequest& from, const Job& job, SourceCells& cells)
-{
-  const SourceFaceMesh mesh(cells.faces, cells.precision);
-  std::vector<std::vector<RankAddress>> covered =
-    findCovered(mesh, from.surface, false, job.part(0.0, 0.0));
-  for (std::size_t i = 0; i < covered.size(); ++i)
-  {
-    cells.faces[i].covered = std::move(covered[i]);
-  }
-  if (from.surface.barriers && !from.targets)
-  {
-    leaveOutFacesInBarriers(from, job, mesh, cells);
-  }
-}
-
 /// Joins lines of one value, or all, to curves.
 void joinLines(SourceCells& cells)
 {
@@ -152,7 +88,7 @@ PartIds makeParts(SourceCells& cells)
 }
 
 /// Leaves out the single points that lie in a barrier.
-void leaveOutPointsInBarriers(const std::vector<RankAddress>& barriers, SourceParts& read)
+void leaveOutPointsInBarriers(const std::vector<RankAddress>& barriers, SourceCells& read)
 {
   std::vector<bool> isRegion(read.parts.ids.size(), false); // a point may stand for all of one
   for (const SourceFace& face : read.faces)
@@ -174,9 +110,8 @@ std::string nameOfBarrier(const PartsRequest& from, const RankAddress& face)
 {
   const PolyDataSurface& surface = from.surface;
   Exchange& exchange = surface.exchange();
-  const std::string own = face.rank == exchange.rank()
-    ? surface.nameOfCell(surface.triangleOfBarrier(face.id), from.surfaceBlocks)
-    : "";
+  const std::string own =
+    face.rank == exchange.rank() ? surface.nameOfCell(surface.triangleOfBarrier(face.id)) : "";
   const std::vector<char> told = valuesOfRanks(exchange, std::vector<char>(own.begin(), own.end()));
   const std::string name(told.begin(), told.end());
   return surface.partition.isDistributed() ? name + " on rank " + std::to_string(face.rank) : name;
@@ -184,7 +119,7 @@ std::string nameOfBarrier(const PartsRequest& from, const RankAddress& face)
 
 /// \throws InputError that names the polyline, the point and the cell of the surface.
 void requireOutsideBarriers(
-  const PartsRequest& from, const SourceParts& read, const std::vector<RankAddress>& barriers)
+  const PartsRequest& from, const SourceCells& read, const std::vector<RankAddress>& barriers)
 {
   for (const LocatedPolyline& line : read.polylines)
   {
@@ -205,7 +140,7 @@ void requireOutsideBarriers(
   }
 }
 
-void locate(const PartsRequest& from, const Job& job, SourceParts& read)
+void locate(const PartsRequest& from, const Job& job, SourceCells& read)
 {
   constexpr double sought = 0.9;
   LocatedPlaces& located = read.located;
@@ -225,9 +160,9 @@ void locate(const PartsRequest& from, const Job& job, SourceParts& read)
 
 }
 
-SourceParts readParts(const PartsRequest& from, const Job& job)
+SourceCells readParts(const PartsRequest& from, const Job& job)
 {
-  SourceParts read{ readSourceCells(from.blocks, from.surface, from.targets != nullptr), {}, {} };
+  SourceCells read = readSourceCells(from.blocks, from.surface, from.targets != nullptr);
   if (read.isEmpty())
   {
     throw InputError(textOfEmpty(from, read.droppedCells));

@@ -3,37 +3,11 @@
 #define geodesic_SourceParts_h
 
 #include "PolyData/reading/SourceCells.h"
-#include "source/PolylineLocator.h"
 
-#include "vtkType.h"
-
-#include <string>
 #include <vector>
 
 namespace geodesic
 {
-
-/// The sources, or sets of targets, that an input has.
-struct PartIds
-{
-  /// Ascending; the `source` of a curve is the place of an id here. The number of a cell (of a
-  /// point in a set of points) over all blocks, unless an array names them.
-  std::vector<vtkIdType> ids;
-  /// What each of these is called: as the first of its cells. Empty unless an array says so.
-  std::vector<std::string> names;
-  /// Whether an array has named them.
-  bool areNamed = false;
-  /// All ids are below.
-  vtkIdType idEnd = 0;
-};
-
-/// The curves and regions of an input, and where their points are. LocatedPolyline::source is the
-/// place of an id.
-struct SourceParts : SourceCells
-{
-  PartIds parts;
-  LocatedPlaces located;
-};
 
 /// What parts are read from, and onto which surface.
 struct PartsRequest
@@ -45,8 +19,6 @@ struct PartsRequest
   /// edge one region, where no values tell what is one source.
   bool areLinesJoined;
   const PolyDataSurface& surface;
-  /// What the surface was made of, for messages.
-  const std::vector<PolyDataBlock>& surfaceBlocks;
   PolylineLocator& locator;
 };
 
@@ -61,7 +33,7 @@ struct PartsRequest
 ///
 /// \throws InputError where there is no point, one is not finite, or a value is no id, or if a
 ///         point of a curve lies in a barrier: no path could leave it; Aborted.
-SourceParts readParts(const PartsRequest& from, const Job& job);
+SourceCells readParts(const PartsRequest& from, const Job& job);
 
 }
 

@@ -15,7 +15,7 @@ namespace geodesic
 namespace
 {
 
-using Label = RankLabels::Label;
+using Label = PieceVertices::Label;
 
 /// Where a place is nearest to a triangle's outline.
 struct OnOutline
@@ -146,20 +146,20 @@ CutTriangles removeFlatFaces(const std::vector<Triangle>& triangles,
   {
     for (Id vertex = 0; vertex < vertices.positions.size(); ++vertex)
     {
-      keys.push_back(vertices.labels.of(vertex));
+      keys.push_back(vertices.labelOf(vertex));
     }
     // Labels of the first rank that no vertex has.
     firstNewKey = static_cast<Label>(exchange.largestOf(static_cast<double>(numberOfPoints)));
   }
   CutTriangles cut = removeFacesWithoutArea(
     vertices.positions, keys, firstNewKey, triangles, areOpen, exchange, job);
-  std::vector<Label>& labels = vertices.labels.labels;
+  std::vector<Label>& labels = vertices.labels;
   for (std::size_t vertex = 0; vertex < keys.size(); ++vertex)
   {
-    if (vertex == labels.size() || (labels[vertex] & ~RankLabels::Shared) != keys[vertex])
+    if (vertex == labels.size() || (labels[vertex] & ~PieceVertices::Shared) != keys[vertex])
     {
       labels.resize(std::max(labels.size(), vertex + 1));
-      labels[vertex] = keys[vertex] | RankLabels::Shared;
+      labels[vertex] = keys[vertex] | PieceVertices::Shared;
     }
   }
   return cut;
@@ -195,14 +195,14 @@ void cutTriangles(const std::vector<Triangle>& triangles, Exchange& exchange,
   }
   surface.triangles = cut.triangles;
   vertices.of.append(surface.numberOfPoints, corners.cutVertices);
-  if (!vertices.labels.labels.empty())
+  if (!vertices.labels.empty())
   {
     // Vertices at which triangles of other ranks may be cut, too.
     for (const Triangle& part : cut.parts)
     {
       for (const Id vertex : part)
       {
-        vertices.labels.labels[vertex] |= RankLabels::Shared;
+        vertices.labels[vertex] |= PieceVertices::Shared;
       }
     }
   }

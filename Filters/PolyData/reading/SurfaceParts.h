@@ -4,7 +4,7 @@
 
 #include "Exchange.h"
 #include "Job.h"
-#include "PolyData/reading/PieceVertices.h"
+#include "PolyData/ranks/PieceVertices.h"
 #include "PolyData/reading/PolyDataSurface.h"
 
 #include <vector>

@@ -2,11 +2,10 @@
 #include "PolyData/reading/SurfaceReader.h"
 
 #include "PolyData/Hash.h"
-#include "PolyData/ranks/RankSeams.h"
+#include "PolyData/ranks/PieceVertices.h"
 #include "PolyData/reading/Cracks.h"
 #include "PolyData/reading/Seams.h"
 #include "PolyData/reading/SurfaceParts.h"
-#include "PolyData/reading/SurfaceReaderOnRanks.h"
 #include "PolyData/reading/TriangleReader.h"
 #include "PolyData/reading/TriangleRoles.h"
 #include "mesh/Box.h"
@@ -185,19 +184,19 @@ struct SurfaceReader
     joining.reach(0.0);
     std::vector<double> precisions = this->storedPrecisions();
     this->scaleVertices();
-    joinRanks(
-      this->inputs, this->surface.blocks, this->merging.isWanted, this->exchange, this->vertices);
+    this->vertices.joinRanks(
+      this->inputs, this->surface.blocks, this->merging.isWanted, this->exchange);
     joining.reach(0.3);
     if (this->merging.isWanted)
     {
       this->joinSeams(std::move(precisions));
     }
     joining.reach(1.0);
-    this->surface.roles = findRoles(
-      this->inputs, this->vertices.labels, this->vertices.of, this->triangles, this->exchange);
+    this->surface.roles = findRoles(this->inputs, this->vertices, this->triangles, this->exchange);
     keepTriangles(this->inputs, this->triangles, this->surface.blocks);
     this->makeParts();
     this->makeMeshes(this->takeFaces());
+    this->surface.useBlocks(this->inputs);
     return std::move(this->surface);
   }
 
@@ -391,13 +390,18 @@ struct SurfaceReader
   /// may lie anywhere.
   Box boxOf(const Faces& faces) const
   {
-    Box whole = this->surface.box;
+    Box own = this->surface.box;
     if (!this->surface.roles.empty())
     {
-      whole = this->boxOf(faces.open, {});
-      whole.add(this->boxOf(faces.barriers, {}));
+      own = this->boxOf(faces.open, {});
+      own.add(this->boxOf(faces.barriers, {}));
     }
-    return boxOfRanks(whole, this->exchange);
+    Box whole;
+    for (const Box& box : valuesOfRanks(this->exchange, own))
+    {
+      whole.add(box);
+    }
+    return whole;
   }
 
   /// Makes the meshes of the open faces and of the barriers.
@@ -411,9 +415,8 @@ struct SurfaceReader
     std::vector<std::uint64_t> barrierKeys;
     this->vertices.copy(inBarriers, barrierPoints, barrierKeys);
     std::vector<std::uint64_t> keys;
-    std::vector<Id> numbers = keepUsedVertices(faces.open, this->exchange, this->vertices, keys);
-    this->surface.valuesElsewhere =
-      findValuesElsewhere(this->vertices.labels, numbers, this->exchange);
+    std::vector<Id> numbers = this->vertices.keepUsed(faces.open, this->exchange, keys);
+    this->surface.valuesElsewhere = this->vertices.valuesElsewhere(numbers, this->exchange);
     this->vertices.labels = {};
     MeshPartition& partition = this->surface.partition;
     partition = MeshPartition(std::move(this->vertices.positions), faces.open, keys, this->exchange,
@@ -438,7 +441,7 @@ struct SurfaceReader
     {
       findCracks(partition, this->surface.diagonal, this->surface.report);
     }
-    this->surface.report = reportOfRanks(this->surface.report, partition);
+    this->surface.report.addRanks(partition);
   }
 };
 

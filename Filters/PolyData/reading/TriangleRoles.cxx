@@ -17,7 +17,7 @@ namespace geodesic
 namespace
 {
 
-using Label = RankLabels::Label;
+using Label = PieceVertices::Label;
 using Range = TriangleList::Range;
 
 std::vector<Id> verticesOf(
@@ -207,8 +207,8 @@ void findCopiesHere(
 /// Marks the triangles that are copies of others.
 ///
 /// \returns the roles; empty if no rank has marked triangles.
-std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoint& vertexOf,
-  TriangleList& triangles, Exchange& exchange)
+std::vector<TriangleRole> findCopies(
+  const PieceVertices& vertices, TriangleList& triangles, Exchange& exchange)
 {
   const std::vector<bool>& marks = triangles.isDuplicate;
   if (!exchange.isTrueAnywhere(std::find(marks.begin(), marks.end(), true) != marks.end()))
@@ -216,14 +216,14 @@ std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoi
     return {};
   }
   std::vector<TriangleRole> roles(triangles.corners.size(), TriangleRole::Open);
-  copyCuts(vertexOf, triangles);
-  findCopiesHere(vertexOf, triangles, roles);
+  copyCuts(vertices.of, triangles);
+  findCopiesHere(vertices.of, triangles, roles);
   // Among the others those that are copies of other ranks' cells.
   findCopiesAmong([&](const auto& visit) { triangles.forEachCell(visit); },
     [&](Id point)
     {
-      const Id vertex = vertexOf(point);
-      return labels.isSharedAt(vertex) ? labels.of(vertex) : NoLabel;
+      const Id vertex = vertices.of(point);
+      return vertices.isSharedAt(vertex) ? vertices.labelOf(vertex) : NoLabel;
     },
     triangles, exchange, roles);
   return roles;
@@ -248,17 +248,16 @@ void findBarriers(vtkDataArray* barriers, std::size_t block, const VertexOfPoint
 } // anonymous namespace
 
 std::vector<TriangleRole> findRoles(const std::vector<PolyDataBlock>& inputs,
-  const RankLabels& labels, const VertexOfPoint& vertexOf, TriangleList& triangles,
-  Exchange& exchange)
+  const PieceVertices& vertices, TriangleList& triangles, Exchange& exchange)
 {
-  std::vector<TriangleRole> roles = findCopies(labels, vertexOf, triangles, exchange);
+  std::vector<TriangleRole> roles = findCopies(vertices, triangles, exchange);
   const char* name = nullptr;
   for (std::size_t block = 0; block < inputs.size(); ++block)
   {
     if (vtkDataArray* barriers = inputs[block].barriers)
     {
       name = barriers->GetName();
-      findBarriers(barriers, block, vertexOf, triangles, roles);
+      findBarriers(barriers, block, vertices.of, triangles, roles);
     }
   }
   const auto open =

@@ -3,7 +3,7 @@
 #define geodesic_TriangleRoles_h
 
 #include "Exchange.h"
-#include "PolyData/ranks/RankSeams.h"
+#include "PolyData/ranks/PieceVertices.h"
 #include "PolyData/reading/TriangleReader.h"
 
 #include <vector>
@@ -19,13 +19,11 @@ namespace geodesic
 /// several such cells on the same vertices, the first.
 ///
 /// \param inputs which triangles are barriers.
-/// \param labels of the vertices.
 /// \param triangles the corners of marked ones may change.
 /// \returns of each triangle; empty if all are open.
 /// \throws MeshError if no open triangle is left on any rank, where this one has barriers.
 std::vector<TriangleRole> findRoles(const std::vector<PolyDataBlock>& inputs,
-  const RankLabels& labels, const VertexOfPoint& vertexOf, TriangleList& triangles,
-  Exchange& exchange);
+  const PieceVertices& vertices, TriangleList& triangles, Exchange& exchange);
 
 }
 

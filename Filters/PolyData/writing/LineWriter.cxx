@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/writing/LineWriter.h"
 
+#include "PolyData/Inputs.h"
 #include "PolyData/Memory.h"
 
 #include "vtkCellArray.h"
@@ -32,9 +33,9 @@ struct LineCells
     this->points->SetDataTypeToDouble();
   }
 
-  vtkIdType addPoint(const TriangleMesh& mesh, const SurfacePoint& point)
+  vtkIdType addPoint(const Vec3& place)
   {
-    return this->points->InsertNextPoint(this->scale.toUser(position(mesh, point)).data());
+    return this->points->InsertNextPoint(this->scale.toUser(place).data());
   }
 
   /// Adds a curve as a polyline, or as a vertex where it is one point.
@@ -45,7 +46,7 @@ struct LineCells
     cells->InsertNextCell(static_cast<int>(curve.points.size()));
     for (std::size_t i = 0; i < numberOfPlaces(curve); ++i)
     {
-      cells->InsertCellPoint(this->addPoint(mesh, curve.points[i]));
+      cells->InsertCellPoint(this->addPoint(position(mesh, curve.points[i])));
     }
     if (curve.isClosed())
     {
@@ -99,8 +100,8 @@ void requireMemoryOf(const std::vector<SourceCurve>& curves, std::size_t otherPo
 
 /// Adds a cell array with one value a path.
 template <typename Array, typename ValueOf>
-void addArray(const char* name, const std::vector<PathOfTarget>& paths, const ValueOf& valueOf,
-  vtkPolyData* output)
+void addArray(const char* name, const std::vector<PathOfTarget>& paths, vtkPolyData* output,
+  const ValueOf& valueOf)
 {
   const auto array = makeArray<Array>(name, static_cast<vtkIdType>(paths.size()));
   for (std::size_t i = 0; i < paths.size(); ++i)
@@ -116,35 +117,31 @@ void addArray(const char* name, const std::vector<PathOfTarget>& paths, const Va
 vtkNew<vtkDoubleArray> writeLines(const PowerOfTwoScale& scale,
   const std::vector<PathOfTarget>& paths, vtkIdType size, vtkPolyData* output, const Job& job)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(size);
+  LineCells cells(scale);
+  cells.points->Allocate(size);
+  cells.lines->AllocateExact(static_cast<vtkIdType>(paths.size()), size);
   const auto left = makeArray<vtkDoubleArray>(ArrayName, size);
   auto lengths = makeArray<vtkDoubleArray>(ArrayName, static_cast<vtkIdType>(paths.size()));
-  vtkNew<vtkCellArray> lines;
-  lines->AllocateExact(static_cast<vtkIdType>(paths.size()), size);
-  vtkIdType point = 0;
   for (std::size_t path = 0; path < paths.size(); ++path)
   {
     const std::vector<Vec3>& places = paths[path].points;
-    lines->InsertNextCell(static_cast<int>(places.size()));
+    const vtkIdType first = cells.points->GetNumberOfPoints();
+    cells.lines->InsertNextCell(static_cast<int>(places.size()));
     for (const Vec3& place : places)
     {
-      points->SetPoint(point, scale.toUser(place).data());
-      lines->InsertCellPoint(point++);
+      cells.lines->InsertCellPoint(cells.addPoint(place));
     }
     double length = 0.0;
     for (std::size_t i = places.size(); i-- > 0;)
     {
-      job.reachItem(static_cast<std::size_t>(point) - i - 1, static_cast<std::size_t>(size));
+      const vtkIdType point = first + static_cast<vtkIdType>(i);
+      job.reachItem(static_cast<std::size_t>(point), static_cast<std::size_t>(size));
       length += i + 1 < places.size() ? norm(places[i + 1] - places[i]) : 0.0;
-      left->SetValue(
-        point - static_cast<vtkIdType>(places.size() - i), scale.distanceToUser(length));
+      left->SetValue(point, scale.distanceToUser(length));
     }
     lengths->SetValue(static_cast<vtkIdType>(path), scale.distanceToUser(length));
   }
-  output->SetPoints(points);
-  output->SetLines(lines);
+  cells.write(output);
   output->GetPointData()->SetScalars(left);
   return lengths;
 }
@@ -164,10 +161,10 @@ void writeCells(const std::vector<PathOfTarget>& paths, vtkIdType size, vtkPolyD
 
 }
 
-void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
-  const std::vector<SourceCurve>& curves, const std::vector<vtkIdType>& sourceIds,
+void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale, const Sources& sources,
   const std::vector<std::vector<double>>& arcLengths, vtkPolyData* output)
 {
+  const std::vector<SourceCurve>& curves = sources.curves;
   requireMemoryOf(curves);
   LineCells cells(scale);
   const auto lengths = makeArray<vtkDoubleArray>("SourceArcLength", 0);
@@ -184,10 +181,10 @@ void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
   {
     output->GetPointData()->AddArray(lengths);
   }
-  const auto sources = makeArray<vtkIdTypeArray>("SourceId", 0);
+  const auto ids = makeArray<vtkIdTypeArray>("SourceId", 0);
   forEachInOrderOfCells(
-    curves, [&](const SourceCurve& curve) { sources->InsertNextValue(sourceIds[curve.source]); });
-  output->GetCellData()->AddArray(sources);
+    curves, [&](const SourceCurve& curve) { ids->InsertNextValue(sources.ids[curve.source]); });
+  output->GetCellData()->AddArray(ids);
 }
 
 void writeIsolines(
@@ -229,7 +226,7 @@ void writeIsolines(
     {
       if (numbers[point] < 0)
       {
-        numbers[point] = cells.addPoint(written.mesh, isolines.points[point]);
+        numbers[point] = cells.addPoint(position(written.mesh, isolines.points[point]));
         atPoints->InsertNextValue(value);
       }
       cells.lines->InsertCellPoint(numbers[point]);
@@ -258,25 +255,22 @@ void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& p
   {
     writeCells(paths, size, output);
   }
+  addArray<vtkIdTypeArray>("TargetId", paths, output,
+    [](const PathOfTarget& path) { return static_cast<vtkIdType>(path.target); });
   addArray<vtkIdTypeArray>(
-    "TargetId", paths, [](const PathOfTarget& path) { return static_cast<vtkIdType>(path.target); },
-    output);
-  addArray<vtkIdTypeArray>(
-    "SourceId", paths, [](const PathOfTarget& path) { return path.sourceId; }, output);
+    "SourceId", paths, output, [](const PathOfTarget& path) { return path.sourceId; });
   output->GetCellData()->AddArray(lengths);
-  addArray<vtkDoubleArray>(
-    "TargetSnapDistance", paths,
-    [&scale](const PathOfTarget& path) { return scale.toUser(path.snapDistance); }, output);
+  addArray<vtkDoubleArray>("TargetSnapDistance", paths, output,
+    [&scale](const PathOfTarget& path) { return scale.toUser(path.snapDistance); });
   if (choice.arcLengths)
   {
-    addArray<vtkDoubleArray>(
-      "SourceArcLength", paths,
-      [&scale](const PathOfTarget& path) { return scale.toUser(path.end.arcLength); }, output);
+    addArray<vtkDoubleArray>("SourceArcLength", paths, output,
+      [&scale](const PathOfTarget& path) { return scale.toUser(path.end.arcLength); });
   }
   if (choice.angles)
   {
     addArray<vtkDoubleArray>(
-      "SourceAngle", paths, [](const PathOfTarget& path) { return path.end.angle; }, output);
+      "SourceAngle", paths, output, [](const PathOfTarget& path) { return path.end.angle; });
   }
 }
 

@@ -18,13 +18,13 @@ class vtkPolyData;
 namespace geodesic
 {
 
+struct Sources;
+
 /// The curves as cells: a polyline each, a vertex where a curve is one point. The cell array
 /// SourceId has the id of each.
 ///
-/// \param sourceIds by SourceCurve::source.
 /// \param arcLengths for the point array SourceArcLength, those of each curve's points; or empty.
-void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
-  const std::vector<SourceCurve>& curves, const std::vector<vtkIdType>& sourceIds,
+void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale, const Sources& sources,
   const std::vector<std::vector<double>>& arcLengths, vtkPolyData* output);
 
 /// Lines on a mesh, with their values in the user's units.
@@ -53,7 +53,8 @@ struct PathOfTarget
   std::vector<Vec3> points;
   PathEnd end;
   vtkIdType sourceId = -1;
-  /// The input's cell between each point and the next, if cells are asked for; see cellsOfFaces().
+  /// The input's cell between each point and the next, if cells are asked for; see
+  /// PolyDataSurface::inputCellsOf().
   std::vector<vtkIdType> cells;
 };
 

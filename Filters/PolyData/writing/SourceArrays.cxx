@@ -2,6 +2,7 @@
 #include "PolyData/writing/SourceArrays.h"
 
 #include "Errors.h"
+#include "PolyData/Inputs.h"
 #include "PolyData/Memory.h"
 #include "PolyData/ranks/BorrowedValues.h"
 #include "Trigonometry.h"
@@ -32,7 +33,6 @@ struct OutputPoint
   double distance = Infinity;
   SourceValues values;
   vtkIdType sourceId = -1;
-  Vec3 gradient{};
   /// What stands in arrays of lengths and angles where the point is not reached.
   double unreached = Infinity;
   /// The length of a tile of texture coordinates.
@@ -95,7 +95,8 @@ constexpr ArrayKind Kinds[] = { { &Choice::sourceIds, "SourceId", VTK_ID_TYPE, 1
     } },
   // A point on the source may lie a rounding beside it.
   { &Choice::gradients, "DistanceGradient", VTK_DOUBLE, 3,
-    [](const OutputPoint& point) { return point.distance > 0.0 ? point.gradient : Vec3(); } },
+    [](const OutputPoint& point)
+    { return point.distance > 0.0 ? point.values.gradient : Vec3(); } },
   { &Choice::signedDistances, "SignedGeodesicDistance", VTK_DOUBLE, 1,
     [](const OutputPoint& point) { return point.ifReached(point.signedDistance()); } },
   { &Choice::arcLengths, "SourceArcLength", VTK_DOUBLE, 1,
@@ -142,20 +143,6 @@ void addArrays(const SourceArrayChoice& choice, const PointAt& pointAt, vtkPolyD
   }
 }
 
-/// Calls visit(member) for the members of ValuesAtPoints that are needed.
-template <typename Visit>
-void forEachKind(const SourceArrayChoice& choice, const Visit& visit)
-{
-  if (choice.areFeetNeeded())
-  {
-    visit(&ValuesAtPoints::sources);
-  }
-  if (choice.gradients)
-  {
-    visit(&ValuesAtPoints::gradients);
-  }
-}
-
 SourceValues valuesOf(const SourceArrays& arrays, const Foot& foot, NearestSource& nearest)
 {
   SourceValues values;
@@ -163,12 +150,12 @@ SourceValues valuesOf(const SourceArrays& arrays, const Foot& foot, NearestSourc
   {
     return values;
   }
-  const SourceCurve& curve = arrays.curves[foot.curve];
+  const SourceCurve& curve = arrays.sources.curves[foot.curve];
   const PowerOfTwoScale& scale = arrays.surface.scale;
   values.source = curve.source;
-  values.side = curve.points.size() == 1                         ? SourceSide::Point
-    : isOnRight(foot, arrays.curves, arrays.firstBoundarySource) ? SourceSide::Right
-                                                                 : SourceSide::Left;
+  values.side = curve.points.size() == 1 ? SourceSide::Point
+    : isOnRight(foot, arrays.sources)    ? SourceSide::Right
+                                         : SourceSide::Left;
   if (arrays.choice.closestPoints)
   {
     values.closestPoint = scale.toUser(position(nearest.meshOfCurves(), nearest.pointOf(foot)));
@@ -189,22 +176,21 @@ SourceValues valuesOf(const SourceArrays& arrays, const Foot& foot, NearestSourc
 /// \param at of each point, if these are asked for, the foot, and the segment for the gradient:
 ///        (std::size_t i) -> std::pair<Foot, IncomingSegment>
 template <typename At>
-ValuesAtPoints collect(const SourceArrays& arrays, NearestSource& nearest, std::size_t count,
-  const DistanceField& computed, const Job& job, const At& at)
+std::vector<SourceValues> collect(const SourceArrays& arrays, NearestSource& nearest,
+  std::size_t count, const DistanceField& computed, const Job& job, const At& at)
 {
-  ValuesAtPoints values;
-  forEachKind(arrays.choice, [&](auto kind) { (values.*kind).reserve(count); });
+  std::vector<SourceValues> values(count);
   for (std::size_t i = 0; i < count; ++i)
   {
     job.reachItem(i, count);
     const auto& [foot, segment] = at(i);
     if (arrays.choice.areFeetNeeded())
     {
-      values.sources.push_back(valuesOf(arrays, foot, nearest));
+      values[i] = valuesOf(arrays, foot, nearest);
     }
     if (arrays.choice.gradients)
     {
-      values.gradients.push_back(gradientOf(computed.mesh(), segment));
+      values[i].gradient = gradientOf(computed.mesh(), segment);
     }
   }
   return values;
@@ -225,13 +211,7 @@ std::vector<const char*> namesOf(const SourceArrayChoice& choice)
   return names;
 }
 
-void addEmptyArrays(const SourceArrayChoice& choice, vtkPolyData* output)
-{
-  addArrays(
-    choice, [](vtkIdType) { return OutputPoint(); }, output);
-}
-
-ValuesAtPoints SourceArrays::atVertices(
+std::vector<SourceValues> SourceArrays::atVertices(
   const DistanceField& computed, NearestSource& nearest, const Job& job) const
 {
   const auto at = [&](std::size_t i)
@@ -241,14 +221,15 @@ ValuesAtPoints SourceArrays::atVertices(
       this->choice.gradients ? incomingSegmentTo(computed, SurfacePoint::atVertex(vertex))
                              : IncomingSegment());
   };
-  ValuesAtPoints values =
+  std::vector<SourceValues> values =
     collect(*this, nearest, this->surface.partition.numberOfOwnVertices(), computed, job, at);
-  forEachKind(this->choice, [&](auto kind) { this->surface.completeValues({}, values.*kind); });
+  this->surface.completeValues({}, values);
   return values;
 }
 
-ValuesAtPoints SourceArrays::atNewPoints(const RefinedMesh& refined, const DistanceField& computed,
-  const DistanceField& exact, NearestSource& nearest, const Job& job) const
+std::vector<SourceValues> SourceArrays::atNewPoints(const RefinedMesh& refined,
+  const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
+  const Job& job) const
 {
   const std::vector<RefinedPoint>& points = refined.points;
   const std::size_t count = refined.numberOfPointsWithPlaces();
@@ -261,22 +242,16 @@ ValuesAtPoints SourceArrays::atNewPoints(const RefinedMesh& refined, const Dista
     return std::pair(this->choice.areFeetNeeded() ? nearest.of(piece) : Foot(),
       isOther ? incomingSegmentTo(computed, points[i].place) : piece);
   };
-  ValuesAtPoints values = collect(*this, nearest, count, computed, job, at);
+  std::vector<SourceValues> values = collect(*this, nearest, count, computed, job, at);
   Exchange& exchange = this->surface.exchange();
   const SeamPoints seams = findSeamPoints(points, count, computed, exact);
-  const BorrowedValues atSeams(seams.there, exchange);
-  const BorrowedValues atCopies(refined.copied, exchange);
-  forEachKind(this->choice,
-    [&](auto kind)
-    {
-      atSeams.replace(seams.here, values.*kind, exchange);
-      atCopies.append({}, values.*kind, exchange);
-    });
+  BorrowedValues(seams.there, exchange).replace(seams.here, values, exchange);
+  BorrowedValues(refined.copied, exchange).append({}, values, exchange);
   return values;
 }
 
-void SourceArrays::write(const SurfaceBlock& block, const ValuesAtPoints& atVertices,
-  const ValuesAtPoints& atNewPoints, const double* distances, double unreached,
+void SourceArrays::write(const SurfaceBlock& block, const std::vector<SourceValues>& atVertices,
+  const std::vector<SourceValues>& atNewPoints, const double* distances, double unreached,
   vtkPolyData* output) const
 {
   // The points of the input, which have the values of their vertices, come before the new ones.
@@ -290,18 +265,9 @@ void SourceArrays::write(const SurfaceBlock& block, const ValuesAtPoints& atVert
     point.textureAtSource = this->textureAtSource;
     const auto number = static_cast<Id>(i);
     const bool isNew = number >= block.numberOfPoints;
-    const ValuesAtPoints& values = isNew ? atNewPoints : atVertices;
-    const Id at =
-      isNew ? number - block.numberOfPoints : this->surface.vertexOf(block.firstPoint + number);
-    if (this->choice.areFeetNeeded())
-    {
-      point.values = values.sources[at];
-      point.sourceId = point.values.source == NoId ? -1 : this->sourceIds[point.values.source];
-    }
-    if (this->choice.gradients)
-    {
-      point.gradient = values.gradients[at];
-    }
+    point.values = isNew ? atNewPoints[number - block.numberOfPoints]
+                         : atVertices[this->surface.vertexOf(block.firstPoint + number)];
+    point.sourceId = point.values.source == NoId ? -1 : this->sources.ids[point.values.source];
     return point;
   };
   addArrays(this->choice, pointAt, output);
@@ -311,7 +277,7 @@ std::vector<std::vector<double>> SourceArrays::arcLengthsOfCurves(
   const NearestSource& nearest) const
 {
   std::vector<std::vector<double>> lengths;
-  for (Id curve = 0; this->choice.arcLengths && curve < this->curves.size(); ++curve)
+  for (Id curve = 0; this->choice.arcLengths && curve < this->sources.curves.size(); ++curve)
   {
     lengths.push_back(nearest.arcLengthsOf(curve));
     for (double& length : lengths.back())
@@ -322,20 +288,20 @@ std::vector<std::vector<double>> SourceArrays::arcLengthsOfCurves(
   return lengths;
 }
 
-SourceFrames framesBySource(const CurvesOnPatch& onPatch, const std::vector<SourceCurve>& curves,
-  const std::vector<vtkIdType>& sourceIds, bool areSourcesNamed)
+SourceFrames framesBySource(const CurvesOnPatch& onPatch, const Sources& sources)
 {
   SourceFrames result;
   std::vector<SourceFrame>& frames = result.frames;
-  if (areSourcesNamed)
+  if (sources.areNamed) // ids may be large
   {
-    result.ids = sourceIds;
-    frames.resize(sourceIds.size());
+    result.ids = sources.ids;
+    frames.resize(sources.ids.size());
   }
-  for (Id curve = static_cast<Id>(curves.size()); curve-- > 0;) // the first of a source comes last
+  // The first curve of a source comes last.
+  for (Id curve = static_cast<Id>(sources.curves.size()); curve-- > 0;)
   {
-    const Id source = curves[curve].source;
-    const auto row = areSourcesNamed ? source : static_cast<std::size_t>(sourceIds[source]);
+    const Id source = sources.curves[curve].source;
+    const auto row = sources.areNamed ? source : static_cast<std::size_t>(sources.ids[source]);
     frames.resize(std::max(frames.size(), row + 1));
     frames[row] = onPatch.frameOf(curve);
   }
@@ -367,8 +333,7 @@ void addSourceFrames(const SourceFrames& all, vtkDataObject* output)
   }
 }
 
-void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs,
-  const std::string& property)
+void requireSides(const PolyDataSurface& surface, const std::string& property)
 {
   const MeshPartition& part = surface.partition;
   const TriangleMesh& mesh = surface.mesh();
@@ -385,7 +350,7 @@ void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBloc
   const Id face = TriangleMesh::faceOf(halfedge);
   const std::string where = part.isDistributed()
     ? ", which faces of this one (input port 0) on rank " + std::to_string(part.exchange().rank())
-    : ": " + surface.nameOfCell(surface.triangleOf(face), inputs) + " and a neighbor";
+    : ": " + surface.nameOfCell(surface.triangleOf(face)) + " and a neighbor";
   throw MeshError(property +
     " needs a surface whose faces have one orientation and whose edges have at most two faces" +
     where +
@@ -394,10 +359,10 @@ void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBloc
     property + " off.");
 }
 
-bool isOnRight(const Foot& foot, const std::vector<SourceCurve>& curves, Id firstBoundarySource)
+bool isOnRight(const Foot& foot, const Sources& sources)
 {
-  return foot.isKnown() && foot.isRight && curves[foot.curve].points.size() > 1 &&
-    curves[foot.curve].source < firstBoundarySource;
+  return foot.isKnown() && foot.isRight && sources.curves[foot.curve].points.size() > 1 &&
+    sources.curves[foot.curve].source < sources.firstBoundary;
 }
 
 }

@@ -17,6 +17,7 @@ namespace geodesic
 {
 
 struct RefinedMesh;
+struct Sources;
 
 /// Which arrays beside the distance are asked for.
 struct SourceArrayChoice
@@ -43,9 +44,6 @@ struct SourceArrayChoice
 /// The names of the arrays that are asked for.
 std::vector<const char*> namesOf(const SourceArrayChoice& choice);
 
-/// Adds the arrays that are asked for, without values.
-void addEmptyArrays(const SourceArrayChoice& choice, vtkPolyData* output);
-
 /// Where a shortest path ends on its source: on the left of a curve, where loops of the boundary
 /// have all their paths, on its right, or at a point, which has no sides.
 enum class SourceSide : std::uint8_t
@@ -64,29 +62,17 @@ struct SourceValues
   /// In the user's scale.
   double arcLength = 0.0;
   double angle = 0.0;
-  /// SourceCurve::source; NoId where the point was not reached: then nothing else is told.
+  /// SourceCurve::source; NoId where the point was not reached: then nothing above is told.
   Id source = NoId;
   SourceSide side = SourceSide::Left;
-};
-
-/// The values at some points, one entry each. Empty where the choice of arrays does not need them.
-struct ValuesAtPoints
-{
-  std::vector<SourceValues> sources;
-  std::vector<Vec3> gradients;
+  Vec3 gradient{};
 };
 
 /// Computes the arrays that tell more of a field than its distance.
 struct SourceArrays
 {
   const PolyDataSurface& surface;
-  /// The curves of the source.
-  const std::vector<SourceCurve>& curves;
-  /// By SourceCurve::source.
-  const std::vector<vtkIdType>& sourceIds;
-  /// SourceCurve::source from which on curves are loops of the boundary, whose distances have no
-  /// sign.
-  Id firstBoundarySource;
+  const Sources& sources;
   /// The length of a tile of texture coordinates, in the user's scale.
   double textureTile;
   /// The texture coordinate on the source, across a curve or around a point.
@@ -97,21 +83,21 @@ struct SourceArrays
   /// together.
   ///
   /// \param computed the field that gradients are of, with arrivals.
-  ValuesAtPoints atVertices(
+  std::vector<SourceValues> atVertices(
     const DistanceField& computed, NearestSource& nearest, const Job& job) const;
   /// Values for the points that refinement has added. A point on a seam has the values of the rank
   /// that knows them best. All ranks call this together.
   ///
   /// \param exact the field that feet are of, with arrivals; the computed one or another.
-  ValuesAtPoints atNewPoints(const RefinedMesh& refined, const DistanceField& computed,
+  std::vector<SourceValues> atNewPoints(const RefinedMesh& refined, const DistanceField& computed,
     const DistanceField& exact, NearestSource& nearest, const Job& job) const;
 
   /// Adds the arrays of one block to its points: those of the input, then those that were added.
   ///
   /// \param distances of the same points; infinite where a point is not reached.
   /// \param unreached what stands there in the arrays of lengths and angles.
-  void write(const SurfaceBlock& block, const ValuesAtPoints& atVertices,
-    const ValuesAtPoints& atNewPoints, const double* distances, double unreached,
+  void write(const SurfaceBlock& block, const std::vector<SourceValues>& atVertices,
+    const std::vector<SourceValues>& atNewPoints, const double* distances, double unreached,
     vtkPolyData* output) const;
 
   /// For writeCurves(): the arc lengths of each curve's points, in the user's scale. Empty unless
@@ -128,26 +114,21 @@ struct SourceFrames
   std::vector<vtkIdType> ids;
 };
 
-/// \param onPatch the curves on their patch.
-/// \param sourceIds by SourceCurve::source.
-/// \param areSourcesNamed whether an array has named the sources: ids may be large then.
-SourceFrames framesBySource(const CurvesOnPatch& onPatch, const std::vector<SourceCurve>& curves,
-  const std::vector<vtkIdType>& sourceIds, bool areSourcesNamed);
+/// \param onPatch the curves of the sources on their patch.
+SourceFrames framesBySource(const CurvesOnPatch& onPatch, const Sources& sources);
 
 /// Adds the field data array SourceFrame, with the three vectors of a frame in each tuple, and, if
 /// frames have ids, SourceFrameId.
 void addSourceFrames(const SourceFrames& frames, vtkDataObject* output);
 
-/// \param inputs the blocks that the surface was read from.
 /// \param property what needs sides, for the message.
 /// \throws MeshError where a face and a neighbor do not tell left from right: across an edge of
 ///         three and more faces, or one whose faces run along it in one direction.
-void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs,
-  const std::string& property);
+void requireSides(const PolyDataSurface& surface, const std::string& property);
 
 /// Whether the distance from a foot has the sign of a curve's right-hand side: points and loops of
 /// the boundary have none.
-bool isOnRight(const Foot& foot, const std::vector<SourceCurve>& curves, Id firstBoundarySource);
+bool isOnRight(const Foot& foot, const Sources& sources);
 
 }
 

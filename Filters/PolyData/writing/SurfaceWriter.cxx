@@ -205,19 +205,15 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
   // Three points, an offset and the original cell.
   constexpr auto ofIds = static_cast<vtkIdType>(5 * sizeof(vtkIdType));
   requireMemory(count + 1, ofIds + bytesATuple(from));
-  vtkNew<vtkIdTypeArray> offsets;
-  offsets->SetNumberOfValues(count + 1);
   vtkNew<vtkIdTypeArray> points;
   points->SetNumberOfValues(3 * count);
   const auto originals = makeArray<vtkIdTypeArray>("OriginalCellIds", count);
-  offsets->SetValue(count, 3 * count);
   const double idsWritten = from->GetNumberOfArrays() > 0 ? 0.5 : 1.0;
   job.part(0.0, idsWritten)
     .loop(refined.triangles.size(),
       [&](std::size_t i)
       {
         const auto cell = static_cast<vtkIdType>(i);
-        offsets->SetValue(cell, 3 * cell);
         for (std::size_t k = 0; k < 3; ++k)
         {
           points->SetValue(3 * cell + static_cast<vtkIdType>(k), refined.triangles[i][k]);
@@ -225,7 +221,7 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
         originals->SetValue(cell, block.inputCell(refined.faces[i]));
       });
   vtkNew<vtkCellArray> triangles;
-  triangles->SetData(offsets, points);
+  triangles->SetData(3, points);
   output->GetCellData()->CopyGlobalIdsOff(); // the parts of one cell would share one
   copyData(
     from, count, [&originals](vtkIdType i) { return originals->GetValue(i); },
@@ -255,7 +251,7 @@ void keepPoints(vtkIdList* used, vtkPolyData* data)
 }
 
 std::vector<RefinedBlock> partsByBlock(
-  const PolyDataSurface& surface, RefinedMesh refined, ValuesAtPoints values)
+  const PolyDataSurface& surface, RefinedMesh refined, std::vector<SourceValues> values)
 {
   std::vector<RefinedBlock> parts(surface.blocks.size());
   if (parts.size() == 1)
@@ -289,13 +285,9 @@ std::vector<RefinedBlock> partsByBlock(
     auto& [part, valuesOfPart] = parts[blocks[i]];
     numbers.push_back(part.numberOfInputPoints + static_cast<Id>(part.points.size()));
     part.points.push_back(point);
-    if (!values.sources.empty())
+    if (!values.empty())
     {
-      valuesOfPart.sources.push_back(values.sources[i]);
-    }
-    if (!values.gradients.empty())
-    {
-      valuesOfPart.gradients.push_back(values.gradients[i]);
+      valuesOfPart.push_back(values[i]);
     }
   }
   refined.points = {};
@@ -382,13 +374,10 @@ void removeUnusedPoints(vtkPolyData* data)
   vtkNew<vtkCellArray> polygons;
   polygons->AllocateExact(cells, ids);
   forEachCell(data->GetPolys(),
-    [&numbers, &polygons](vtkIdType size, const vtkIdType* points)
+    [&numbers, &polygons](vtkIdType, const vtkIdType* points)
     {
-      polygons->InsertNextCell(static_cast<int>(size));
-      for (vtkIdType i = 0; i < size; ++i)
-      {
-        polygons->InsertCellPoint(numbers[static_cast<std::size_t>(points[i])]);
-      }
+      const auto number = [&](int k) { return numbers[static_cast<std::size_t>(points[k])]; };
+      polygons->InsertNextCell({ number(0), number(1), number(2) });
     });
   data->SetPolys(polygons);
 }

@@ -19,14 +19,14 @@ struct RefinedBlock
 {
   RefinedMesh mesh;
   /// At its new points.
-  ValuesAtPoints values;
+  std::vector<SourceValues> values;
 };
 
 /// Divides a refined mesh (after addUnmeshedTriangles()), and the values at its new points, among
 /// the blocks of the surface. Each edge of the surface is an edge between points of one block, so
 /// that every new point belongs to one, too.
 std::vector<RefinedBlock> partsByBlock(
-  const PolyDataSurface& surface, RefinedMesh refined, ValuesAtPoints values);
+  const PolyDataSurface& surface, RefinedMesh refined, std::vector<SourceValues> values);
 
 /// A block of the surface, the input that it was made from and the output that it goes to.
 struct BlockToWrite
@@ -51,7 +51,7 @@ void writeWhole(const BlockToWrite& to, const Job& job);
 void writeRefined(
   const BlockToWrite& to, const RefinedMesh& refined, const PowerOfTwoScale& scale, const Job& job);
 
-/// Leaves out of a data set of polygons the points that none of them uses; the others keep their
+/// Leaves out of a data set of triangles the points that none of them uses; the others keep their
 /// order and their data. Arrays are replaced, not changed: other data sets may have them, too.
 ///
 /// \throws NotEnoughMemory
