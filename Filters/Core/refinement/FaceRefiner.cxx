@@ -62,8 +62,8 @@ bool FaceRefiner::OpenPart::operator<(const OpenPart& other) const
     std::tuple(this->reason, other.urgency, this->part);
 }
 
-bool FaceRefiner::refine(FaceTriangles& face, std::uint64_t mostParts, RegionsOfPoints* regions,
-  std::vector<EdgeSplit>& requests)
+bool FaceRefiner::refine(
+  FaceTriangles& face, RegionsOfPoints* regions, std::vector<EdgeSplit>& requests)
 {
   this->regions_ = regions;
   this->requests_ = &requests;
@@ -74,7 +74,7 @@ bool FaceRefiner::refine(FaceTriangles& face, std::uint64_t mostParts, RegionsOf
   face.takeChanged();
   for (Id part = 0; part < face.numberOfParts(); ++part)
   {
-    if (face.part(part).hasPassed)
+    if (face.part(part).hasPassed())
     {
       this->assessAtBorder(part);
     }
@@ -83,7 +83,7 @@ bool FaceRefiner::refine(FaceTriangles& face, std::uint64_t mostParts, RegionsOf
       this->assess(part);
     }
   }
-  for (int step = 0; !this->open_.empty() && face.numberOfParts() <= mostParts; ++step)
+  for (int step = 0; !this->open_.empty() && face.numberOfParts() <= this->mostParts_; ++step)
   {
     if (step == StepsInRound)
     {
@@ -119,14 +119,13 @@ void FaceRefiner::enter(FaceTriangles& face)
 void FaceRefiner::assess(Id part)
 {
   FaceTriangles::Part& p = this->face_->part(part);
-  const FaceCheck::Result check = this->check_.of(p.corners, false);
-  if (!check.hasPassed)
+  const FaceCheck::Result check = this->check_.of(p.corners);
+  p.bound = check.bound;
+  if (!p.hasPassed())
   {
     this->open_.push({ SplitReason::Error, check.sample, part, p.version, check.limit });
     return;
   }
-  p.hasPassed = true;
-  p.bound = check.bound;
   const double shape = this->urgencyOfShape(part);
   if (shape > 0.0)
   {
@@ -139,7 +138,7 @@ void FaceRefiner::assess(Id part)
 void FaceRefiner::assessAtBorder(Id part)
 {
   const FaceTriangles::Part& p = this->face_->parts()[part];
-  const double length = p.hasPassed && this->regions_
+  const double length = p.hasPassed() && this->regions_
     ? this->regions_->lengthAtBorder(this->face_->face(), p.corners)
     : 0.0;
   if (length > 0.0)
@@ -263,7 +262,7 @@ bool FaceRefiner::flipIfBoth(Id part, std::size_t k)
   {
     if (!this->face_->isTriangle(corners) ||
       smallestAngle(this->face_->places(corners)) < this->leastAngle_ ||
-      !this->check_.of(corners, false).hasPassed)
+      !(this->check_.of(corners).bound < Infinity))
     {
       return false;
     }
@@ -353,7 +352,7 @@ bool FaceRefiner::asksBeside(const OpenPart& open, const FaceTriangles::Point& p
 void FaceRefiner::request(const OpenPart& open, const PieceOfEdge& piece, double weight)
 {
   this->requests_->push_back({ piece.edge, piece.piece, open.reason, open.urgency, weight });
-  this->face_->part(open.part).hasPassed = false; // assessed anew with the point
+  this->face_->part(open.part).bound = Infinity; // assessed anew with the point
 }
 
 }

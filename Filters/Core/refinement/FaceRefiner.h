@@ -23,18 +23,18 @@ class FaceRefiner
 {
 public:
   /// \param faces must outlive this. Their edges do not change while faces are refined.
-  FaceRefiner(const RefinedFaces& faces, double tolerance)
+  /// \param mostParts refinement of a face stops when it has more.
+  FaceRefiner(const RefinedFaces& faces, double tolerance, std::uint64_t mostParts)
     : faces_(faces)
     , check_(faces, tolerance)
+    , mostParts_(mostParts)
   {
   }
 
-  /// \param mostParts refinement stops when the face has more.
   /// \param regions null: borders of regions do not count.
   /// \param requests are appended.
   /// \returns whether the face has done what it can without new points on edges.
-  bool refine(FaceTriangles& face, std::uint64_t mostParts, RegionsOfPoints* regions,
-    std::vector<EdgeSplit>& requests);
+  bool refine(FaceTriangles& face, RegionsOfPoints* regions, std::vector<EdgeSplit>& requests);
 
 private:
   struct OpenPart
@@ -63,6 +63,7 @@ private:
 
   const RefinedFaces& faces_;
   FaceCheck check_;
+  std::uint64_t mostParts_;
 
   // The face that is refined.
   FaceTriangles* face_ = nullptr;

@@ -66,7 +66,7 @@ void FaceTriangles::change(Id part)
 {
   Part& p = this->parts_[part];
   ++p.version;
-  p.hasPassed = false;
+  p.bound = Infinity;
   this->changed_.push_back(part);
 }
 

@@ -45,13 +45,13 @@ public:
     Triangle corners;
     /// The triangle across the side from corner k to corner k + 1; NoId on a side of the face.
     std::array<Id, 3> across = { NoId, NoId, NoId };
-    /// Whether it is within the tolerance and has no need of a point on an edge, as far as is
-    /// known.
-    bool hasPassed = false;
-    /// Certified, if it has passed: the difference to the distance is nowhere larger.
-    double bound = 0.0;
+    /// Certified: the difference to the distance is nowhere larger. Infinite until the triangle has
+    /// been found to be within the tolerance, and while it waits for a point on an edge.
+    double bound = Infinity;
     /// How often it has changed.
     Id version = 0;
+
+    bool hasPassed() const { return this->bound < Infinity; }
   };
 
   /// A side of the face as an edge of the input (CutEdges), which may run the other way.

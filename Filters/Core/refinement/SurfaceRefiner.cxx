@@ -56,7 +56,14 @@ bool SurfaceRefiner::run()
 RefinedMesh SurfaceRefiner::result(const Job& job)
 {
   RefinedMesh result = writeOutput(this->faces_, this->options_, job);
-  result.errorBound = this->surface_.exchange().largestOf(this->boundOfAll());
+  for (const FaceTriangles& face : this->faces_.openFaces())
+  {
+    for (const FaceTriangles::Part& part : face.parts())
+    {
+      this->bound_ = std::max(this->bound_, part.bound);
+    }
+  }
+  result.errorBound = this->surface_.exchange().largestOf(this->bound_);
   result.unknownAtBorders = this->unknownAtBorders();
   return result;
 }
@@ -203,8 +210,7 @@ std::vector<EdgeSplit> SurfaceRefiner::work(RegionsOfPoints* regions)
   const auto refine = [&](std::size_t task, std::size_t i)
   {
     FaceTriangles& face = this->faces_.triangles(due[i]);
-    isDone[i] =
-      this->refiners_[task]->refine(face, this->mostPartsOf(due[i]), regions, requests[i]) ? 1 : 0;
+    isDone[i] = this->refiners_[task]->refine(face, regions, requests[i]) ? 1 : 0;
   };
   for (const Id face : due)
   {
@@ -239,21 +245,12 @@ std::vector<EdgeSplit> SurfaceRefiner::work(RegionsOfPoints* regions)
 
 void SurfaceRefiner::makeRefiners(std::size_t count)
 {
-  while (this->refiners_.size() < count)
-  {
-    this->refiners_.push_back(std::make_unique<FaceRefiner>(this->faces_, this->tolerance_));
-  }
-}
-
-// A limit that no face reaches: triangles as small as the tolerance pass, so that splits leave
-// no sides much shorter.
-std::uint64_t SurfaceRefiner::mostPartsOf(Id face) const
-{
-  const double across = this->surface_.mesh().shape(face).longest() / this->tolerance_;
-  const double most = 1000.0 + 100.0 * across * across;
   const std::uint64_t room =
     this->options_.maximumFaces > 0 ? this->options_.maximumFaces : MostOfRank;
-  return most < static_cast<double>(room) ? static_cast<std::uint64_t>(most) : room;
+  while (this->refiners_.size() < count)
+  {
+    this->refiners_.push_back(std::make_unique<FaceRefiner>(this->faces_, this->tolerance_, room));
+  }
 }
 
 // The errors fall from the initial worst to the tolerance, by about the same factor with each
@@ -270,27 +267,6 @@ void SurfaceRefiner::report(const std::vector<EdgeSplit>& requests)
   const double openAtFirst = std::log(this->worstAtFirst_ / this->tolerance_);
   const double done = openAtFirst > 0.0 ? 1.0 - std::clamp(open / openAtFirst, 0.0, 1.0) : 0.0;
   this->options_.job.part(FacesAssessed, JobOfRun).reach(done);
-}
-
-// The bound of all triangles, those that are left over the tolerance included.
-double SurfaceRefiner::boundOfAll()
-{
-  FaceCheck check(this->faces_, this->tolerance_);
-  double bound = this->bound_;
-  for (const FaceTriangles& face : this->faces_.openFaces())
-  {
-    for (const FaceTriangles::Part& part : face.parts())
-    {
-      if (part.hasPassed)
-      {
-        bound = std::max(bound, part.bound);
-        continue;
-      }
-      check.enter(face);
-      bound = std::max(bound, check.of(part.corners, true).bound);
-    }
-  }
-  return bound;
 }
 
 std::vector<Id> SurfaceRefiner::unknownAtBorders()

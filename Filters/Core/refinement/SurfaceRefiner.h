@@ -43,9 +43,7 @@ private:
   void takeNewPoints();
   std::vector<EdgeSplit> work(RegionsOfPoints* regions);
   void makeRefiners(std::size_t count);
-  std::uint64_t mostPartsOf(Id face) const;
   void report(const std::vector<EdgeSplit>& requests);
-  double boundOfAll();
   std::vector<Id> unknownAtBorders();
 
   const RefinementOptions& options_;
