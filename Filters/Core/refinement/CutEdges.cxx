@@ -76,7 +76,7 @@ double CutEdges::lengthOfPiece(Id edge, Id piece) const
     this->edges_[edge].length;
 }
 
-Id CutEdges::pieceFrom(Id edge, double at) const
+Id CutEdges::pieceAt(Id edge, double at) const
 {
   const std::vector<Id>& points = this->edges_[edge].points;
   const auto behind = std::upper_bound(points.begin(), points.end(), at,

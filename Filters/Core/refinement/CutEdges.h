@@ -104,8 +104,8 @@ public:
   Id endOfPiece(Id edge, Id end) const;
   double placeOfEnd(Id edge, Id end) const;
   double lengthOfPiece(Id edge, Id piece) const;
-  /// The piece that begins at a point, or at the edge's begin.
-  Id pieceFrom(Id edge, double at) const;
+  /// The piece at a fraction of the way along the edge.
+  Id pieceAt(Id edge, double at) const;
 
   /// The deviations of both parts of the piece are not known then.
   void split(const EdgeSplit& split);

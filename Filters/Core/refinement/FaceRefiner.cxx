@@ -332,7 +332,10 @@ bool FaceRefiner::asksBeside(const OpenPart& open, const FaceTriangles::Point& p
   {
     if (point.weights[(side + 2) % 3] * shape.area2 / shape.length[side] < away)
     {
-      const PieceOfEdge piece = this->faces_.pieceAt(*this->face_, side, point.place);
+      const Vec2 begin = this->face_->points()[side].place;
+      const Vec2 along = this->face_->points()[(side + 1) % 3].place - begin;
+      const double way = dot(along, point.place - begin) / dot(along, along);
+      const PieceOfEdge piece = this->faces_.pieceAt(*this->face_, side, way);
       const double lengthOfPiece = this->faces_.edges.lengthOfPiece(piece.edge, piece.piece);
       if (lengthOfPiece > longest)
       {

@@ -85,6 +85,11 @@ public:
   Id pointsForShapes() const { return this->pointsForShapes_; }
   /// The side of the face on which both points lie; 3 if there is none.
   std::size_t sideWith(Id a, Id b) const;
+  /// The fraction of the way along a side at a point on it.
+  double wayAlong(std::size_t side, Id point) const
+  {
+    return this->points_[point].weights[(side + 1) % 3];
+  }
   /// Whether the triangle has the face's orientation, by more than rounding. Points of one side of
   /// the face are none, whatever rounding says.
   bool isTriangle(const Triangle& corners) const;

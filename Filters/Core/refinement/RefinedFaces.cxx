@@ -119,30 +119,4 @@ void RefinedFaces::takePoints(
   }
 }
 
-PieceOfEdge RefinedFaces::pieceBetween(const FaceTriangles& face, Id a, Id b) const
-{
-  const std::size_t side = face.sideWith(a, b);
-  const auto [edge, isReversed] = face.side(side);
-  const auto alongEdge = [&, isReversed = isReversed](Id point)
-  {
-    const Id number = face.points()[point].number;
-    return !this->edges.isVertex(number) ? this->edges.point(number).at
-      : (point == side) != isReversed    ? 0.0
-                                         : 1.0;
-  };
-  const double fromA = alongEdge(a);
-  const double fromB = alongEdge(b);
-  return { edge, this->edges.pieceFrom(edge, std::min(fromA, fromB)), fromB < fromA };
-}
-
-PieceOfEdge RefinedFaces::pieceAt(const FaceTriangles& face, std::size_t side, Vec2 place) const
-{
-  const Vec2 begin = face.points()[side].place;
-  const Vec2 along = face.points()[(side + 1) % 3].place - begin;
-  const double way = std::clamp(dot(along, place - begin) / dot(along, along), 0.0, 1.0);
-  const auto [edge, isReversed] = face.side(side);
-  const Id piece = this->edges.pieceFrom(edge, isReversed ? 1.0 - way : way);
-  return { edge, std::min(piece, this->edges[edge].numberOfPieces() - 1), isReversed };
-}
-
 }

@@ -18,8 +18,7 @@ struct PieceOfEdge
 {
   Id edge = NoId;
   Id piece = NoId;
-  /// Whether the edge runs against the face's orientation, or from the second of two points to the
-  /// first.
+  /// Whether the edge runs against the face's orientation.
   bool isReversed = false;
 };
 
@@ -46,10 +45,18 @@ public:
 
   /// Puts the points that are new on a face's edges into the face.
   void takePoints(FaceTriangles& face, const FaceDistance& distance) const;
+  /// The piece at a fraction of the way along a side of a face.
+  PieceOfEdge pieceAt(const FaceTriangles& face, std::size_t side, double way) const
+  {
+    const auto [edge, isReversed] = face.side(side);
+    return { edge, this->edges.pieceAt(edge, isReversed ? 1.0 - way : way), isReversed };
+  }
   /// The piece between two neighbouring points of one side of a face.
-  PieceOfEdge pieceBetween(const FaceTriangles& face, Id a, Id b) const;
-  /// The piece of a side that is closest to a place.
-  PieceOfEdge pieceAt(const FaceTriangles& face, std::size_t side, Vec2 place) const;
+  PieceOfEdge pieceBetween(const FaceTriangles& face, Id a, Id b) const
+  {
+    const std::size_t side = face.sideWith(a, b);
+    return this->pieceAt(face, side, 0.5 * (face.wayAlong(side, a) + face.wayAlong(side, b)));
+  }
 
 private:
   void takePoints(FaceTriangles& face, std::size_t side, const FaceDistance& distance) const;
