@@ -194,7 +194,7 @@ void FaceRefiner::mendError(const OpenPart& open)
     {
       worst = k;
       largest = deviation;
-      at = side.at();
+      at = side.at;
     }
   }
   if (worst == 3)
