@@ -93,30 +93,36 @@ void SplitsOfEdges::run(std::size_t count, const Item& item)
 
 std::vector<EdgeSplit> SplitsOfEdges::measureNew()
 {
-  std::vector<Id> unknown;
-  for (Id edge = this->measured_; edge < this->edges_.size(); ++edge)
+  std::vector<Id> edges;
+  for (; this->measured_ < this->edges_.size(); ++this->measured_)
   {
-    if (!this->edges_[edge].pieces.front().isKnown())
-    {
-      unknown.push_back(edge);
-    }
+    edges.push_back(this->measured_);
   }
-  this->measured_ = this->edges_.size();
-  std::vector<EdgeCuts> cuts(unknown.size());
-  this->run(unknown.size(),
+  for (; this->measuredPoints_ < this->edges_.points().size(); ++this->measuredPoints_)
+  {
+    edges.push_back(this->edges_.points()[this->measuredPoints_].edge);
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::vector<EdgeCuts> cuts(edges.size());
+  this->run(edges.size(),
     [&](EdgeSplitter& splitter, std::size_t i)
     {
-      this->edges_[unknown[i]].pieces = splitter.measure(unknown[i]);
-      cuts[i] = splitter.fewestCuts(unknown[i]);
+      CutEdge& edge = this->edges_[edges[i]];
+      edge.pieces = splitter.measure(edges[i]);
+      if (edge.points.empty())
+      {
+        cuts[i] = splitter.fewestCuts(edges[i]);
+      }
     });
   std::vector<EdgeSplit> requests;
-  for (std::size_t i = 0; i < unknown.size(); ++i)
+  for (std::size_t i = 0; i < edges.size(); ++i)
   {
     if (!cuts[i].splits.empty())
     {
-      const double deviation = this->edges_[unknown[i]].pieces.front().largest();
-      requests.push_back({ unknown[i], 0, SplitReason::Error, deviation, 0.5 });
-      this->fewest_.emplace(unknown[i], std::move(cuts[i]));
+      const double deviation = this->edges_[edges[i]].pieces.front().largest();
+      requests.push_back({ edges[i], 0, SplitReason::Error, deviation, 0.5 });
+      this->fewest_.emplace(edges[i], std::move(cuts[i]));
     }
   }
   return requests;
@@ -149,9 +155,7 @@ void SplitsOfEdges::split(std::vector<EdgeSplit> requests)
         this->decide(splitter, { requests.data() + first[i], requests.data() + first[i + 1] });
     });
   this->fewest_.clear();
-  const std::size_t before = this->edges_.points().size();
   this->cut(cuts);
-  this->measureFrom(before);
 }
 
 // The rank of the first face there that is refined, from that of CutEdge::halfedge on: it measures
@@ -237,24 +241,6 @@ void SplitsOfEdges::cut(const std::vector<EdgeCuts>& cuts)
   {
     this->edges_.split(split);
   }
-}
-
-// Measures the edges of the points from the first one on. The points of one edge are consecutive,
-// as one rank has decided about it.
-void SplitsOfEdges::measureFrom(std::size_t firstPoint)
-{
-  const std::vector<PointOnEdge>& points = this->edges_.points();
-  std::vector<Id> edges;
-  for (std::size_t i = firstPoint; i < points.size(); ++i)
-  {
-    if (edges.empty() || edges.back() != points[i].edge)
-    {
-      edges.push_back(points[i].edge);
-    }
-  }
-  this->run(edges.size(),
-    [&](EdgeSplitter& splitter, std::size_t i)
-    { this->edges_[edges[i]].pieces = splitter.measure(edges[i]); });
 }
 
 }
