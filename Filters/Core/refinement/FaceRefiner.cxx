@@ -63,7 +63,7 @@ bool FaceRefiner::OpenPart::operator<(const OpenPart& other) const
 }
 
 bool FaceRefiner::refine(
-  FaceTriangles& face, RegionsOfPoints* regions, std::vector<EdgeSplit>& requests)
+  FaceTriangles& face, SourceRegions* regions, std::vector<EdgeSplit>& requests)
 {
   this->regions_ = regions;
   this->requests_ = &requests;
@@ -139,7 +139,7 @@ void FaceRefiner::assessAtBorder(Id part)
 {
   const FaceTriangles::Part& p = this->face_->parts()[part];
   const double length = p.hasPassed() && this->regions_
-    ? this->regions_->lengthAtBorder(this->face_->face(), p.corners)
+    ? this->faces_.lengthAtBorder(this->face_->face(), p.corners, *this->regions_, this->tolerance_)
     : 0.0;
   if (length > 0.0)
   {

@@ -3,7 +3,7 @@
 #define geodesic_FaceRefiner_h
 
 #include "refinement/FaceCheck.h"
-#include "refinement/RegionsOfPoints.h"
+#include "refinement/RefinedFaces.h"
 
 #include <cstdint>
 #include <queue>
@@ -26,6 +26,7 @@ public:
   /// \param mostParts refinement of a face stops when it has more.
   FaceRefiner(const RefinedFaces& faces, double tolerance, std::uint64_t mostParts)
     : faces_(faces)
+    , tolerance_(tolerance)
     , check_(faces, tolerance)
     , mostParts_(mostParts)
   {
@@ -34,7 +35,7 @@ public:
   /// \param regions null: borders of regions do not count.
   /// \param requests are appended.
   /// \returns whether the face has done what it can without new points on edges.
-  bool refine(FaceTriangles& face, RegionsOfPoints* regions, std::vector<EdgeSplit>& requests);
+  bool refine(FaceTriangles& face, SourceRegions* regions, std::vector<EdgeSplit>& requests);
 
 private:
   struct OpenPart
@@ -62,13 +63,14 @@ private:
   bool mayImproveShape() const;
 
   const RefinedFaces& faces_;
+  double tolerance_;
   FaceCheck check_;
   std::uint64_t mostParts_;
 
   // The face that is refined.
   FaceTriangles* face_ = nullptr;
   double leastAngle_ = 0.0;
-  RegionsOfPoints* regions_ = nullptr;
+  SourceRegions* regions_ = nullptr;
   std::vector<EdgeSplit>* requests_ = nullptr;
   std::priority_queue<OpenPart> open_;
 };

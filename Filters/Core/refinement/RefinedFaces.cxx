@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/RefinedFaces.h"
 
+#include "Tolerance.h"
+#include "refinement/TriangleShape.h"
+
 #include <algorithm>
 
 namespace geodesic
@@ -117,6 +120,37 @@ void RefinedFaces::takePoints(
     const Id point = face.addPoint(this->pointOnEdge(side, number, distance));
     last.part = face.split(last.part, last.k, point);
   }
+}
+
+double RefinedFaces::lengthAtBorder(
+  Id face, const Triangle& corners, SourceRegions& regions, double tolerance) const
+{
+  const TriangleMesh& mesh = this->field.mesh();
+  std::array<SourceRegion, 3> region;
+  std::array<double, 3> distance;
+  std::array<Vec2, 3> place;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Id number =
+      this->isOpen(face) ? this->triangles(face).points()[corners[k]].number : corners[k];
+    const SurfacePoint on =
+      number == NoId ? this->triangles(face).placeOf(corners[k]) : this->edges.placeOf(number);
+    region[k] = regions.at(on);
+    distance[k] = number == NoId ? this->triangles(face).points()[corners[k]].distance
+                                 : this->edges.distanceOf(number, this->field.vertexDistances());
+    place[k] = inHalfedgeFrame(mesh, longestHalfedge(mesh, face), on);
+  }
+  const auto isBorder = [&](std::size_t a, std::size_t b)
+  {
+    // Where a straight line crosses the curve between its sides, there is no border. Both ends are
+    // then nearer to the crossing than to each other.
+    return region[a].source != region[b].source ||
+      (region[a].isRight != region[b].isRight &&
+        distance[a] + distance[b] > (1.0 + tolerance::Tie) * norm(place[b] - place[a]));
+  };
+  const double longest = longestEdge(place);
+  return longest > tolerance && (isBorder(0, 1) || isBorder(1, 2) || isBorder(2, 0)) ? longest
+                                                                                     : 0.0;
 }
 
 }

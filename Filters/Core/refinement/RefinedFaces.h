@@ -5,6 +5,7 @@
 #include "field/FaceDistance.h"
 #include "refinement/CutEdges.h"
 #include "refinement/FaceTriangles.h"
+#include "refinement/SourceRegions.h"
 
 #include <array>
 #include <cstdint>
@@ -57,6 +58,14 @@ public:
     const std::size_t side = face.sideWith(a, b);
     return this->pieceAt(face, side, 0.5 * (face.wayAlong(side, a) + face.wayAlong(side, b)));
   }
+
+  /// The longest side of a triangle that must be split, as there is a border of regions between its
+  /// corners; else 0.
+  ///
+  /// \param corners points of the open face; in another face, points on its edges.
+  /// \param tolerance triangles without longer sides are not split.
+  double lengthAtBorder(
+    Id face, const Triangle& corners, SourceRegions& regions, double tolerance) const;
 
 private:
   void takePoints(FaceTriangles& face, std::size_t side, const FaceDistance& distance) const;

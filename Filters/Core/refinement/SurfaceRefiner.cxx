@@ -32,25 +32,17 @@ SurfaceRefiner::SurfaceRefiner(
   , numberOfTriangles_(surface_.endOfOwnFaces() - surface_.firstOwnFace())
   , bound_(surface_.exchange().largestOf(field.droppedErrorBound()))
 {
-  if (options.regions)
-  {
-    this->regions_.emplace(this->faces_, *options.regions, tolerance);
-  }
 }
 
 bool SurfaceRefiner::run()
 {
   this->assessFaces();
-  if (!this->refineFaces(nullptr))
+  if (!this->refineFaces(nullptr) || !this->options_.regions)
   {
-    return false;
-  }
-  if (!this->regions_)
-  {
-    return true;
+    return !this->isOverfull_;
   }
   this->findBorders();
-  return this->refineFaces(&*this->regions_);
+  return this->refineFaces(this->options_.regions);
 }
 
 RefinedMesh SurfaceRefiner::result(const Job& job)
@@ -114,15 +106,14 @@ void SurfaceRefiner::findBorders()
   for (Id face = this->surface_.firstOwnFace(); face < this->surface_.endOfOwnFaces(); ++face)
   {
     if (!this->faces_.isFrozen(face) &&
-      (this->faces_.isOpen(face) ||
-        this->regions_->lengthAtBorder(face, this->surface_.mesh().triangle(face)) > 0.0))
+      (this->faces_.isOpen(face) || this->isAtBorder(face, this->surface_.mesh().triangle(face))))
     {
       this->due_.push_back(face);
     }
   }
 }
 
-bool SurfaceRefiner::refineFaces(RegionsOfPoints* regions)
+bool SurfaceRefiner::refineFaces(SourceRegions* regions)
 {
   this->openDue();
   std::vector<EdgeSplit> requests = this->splits_.measureNew();
@@ -202,7 +193,7 @@ void SurfaceRefiner::takeNewPoints()
 }
 
 // Refines the due faces, each by itself. Returns the points that they need on edges.
-std::vector<EdgeSplit> SurfaceRefiner::work(RegionsOfPoints* regions)
+std::vector<EdgeSplit> SurfaceRefiner::work(SourceRegions* regions)
 {
   const std::vector<Id> due = std::exchange(this->due_, {});
   std::vector<std::vector<EdgeSplit>> requests(due.size());
@@ -274,7 +265,7 @@ std::vector<Id> SurfaceRefiner::unknownAtBorders()
   std::vector<Id> unknown;
   std::vector<Triangle> triangles;
   for (Id face = this->surface_.firstOwnFace();
-       this->regions_ && face < this->surface_.endOfOwnFaces(); ++face)
+       this->options_.regions && face < this->surface_.endOfOwnFaces(); ++face)
   {
     if (!this->faces_.field.isDropped(face))
     {
@@ -283,8 +274,7 @@ std::vector<Id> SurfaceRefiner::unknownAtBorders()
     triangles.clear();
     appendTriangles(this->faces_, face, triangles);
     if (std::any_of(triangles.begin(), triangles.end(),
-          [&](const Triangle& corners)
-          { return this->regions_->lengthAtBorder(face, corners) > 0.0; }))
+          [&](const Triangle& corners) { return this->isAtBorder(face, corners); }))
     {
       unknown.push_back(face);
     }

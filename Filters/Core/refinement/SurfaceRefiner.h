@@ -5,12 +5,10 @@
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/FaceRefiner.h"
 #include "refinement/RefinedFaces.h"
-#include "refinement/RegionsOfPoints.h"
 #include "refinement/SplitsOfEdges.h"
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace geodesic
@@ -36,12 +34,17 @@ public:
 
 private:
   void assessFaces();
+  bool isAtBorder(Id face, const Triangle& corners) const
+  {
+    return this->faces_.lengthAtBorder(face, corners, *this->options_.regions, this->tolerance_) >
+      0.0;
+  }
   void findBorders();
-  bool refineFaces(RegionsOfPoints* regions);
+  bool refineFaces(SourceRegions* regions);
   void openDue();
   bool isAnythingLeft(const std::vector<EdgeSplit>& requests);
   void takeNewPoints();
-  std::vector<EdgeSplit> work(RegionsOfPoints* regions);
+  std::vector<EdgeSplit> work(SourceRegions* regions);
   void makeRefiners(std::size_t count);
   void report(const std::vector<EdgeSplit>& requests);
   std::vector<Id> unknownAtBorders();
@@ -51,7 +54,6 @@ private:
   double tolerance_;
   RefinedFaces faces_;
   SplitsOfEdges splits_;
-  std::optional<RegionsOfPoints> regions_;
   std::vector<std::unique_ptr<FaceRefiner>> refiners_;
   /// Faces with work to do.
   std::vector<Id> due_;
