@@ -37,7 +37,7 @@ constexpr Id SplitsForShapePerPoint = 4;
 // face. Else its triangles there would be thin unless the face's side gets a point, too.
 constexpr double DistanceFromSides = 0.2;
 
-// A large face takes several rounds, between which the watcher can stop.
+// A large face takes several rounds, between which triangles are counted and the watcher can stop.
 constexpr int StepsInRound = 2048;
 
 // The longest of a triangle's sides that lie on sides of the face; 3 if none does.
@@ -83,7 +83,7 @@ bool FaceRefiner::refine(
       this->assess(part);
     }
   }
-  for (int step = 0; !this->open_.empty() && face.numberOfParts() <= this->mostParts_; ++step)
+  for (int step = 0; !this->open_.empty(); ++step)
   {
     if (step == StepsInRound)
     {

@@ -5,7 +5,6 @@
 #include "refinement/FaceCheck.h"
 #include "refinement/RefinedFaces.h"
 
-#include <cstdint>
 #include <queue>
 #include <vector>
 
@@ -23,12 +22,10 @@ class FaceRefiner
 {
 public:
   /// \param faces must outlive this. Their edges do not change while faces are refined.
-  /// \param mostParts refinement of a face stops when it has more.
-  FaceRefiner(const RefinedFaces& faces, double tolerance, std::uint64_t mostParts)
+  FaceRefiner(const RefinedFaces& faces, double tolerance)
     : faces_(faces)
     , tolerance_(tolerance)
     , check_(faces, tolerance)
-    , mostParts_(mostParts)
   {
   }
 
@@ -65,7 +62,6 @@ private:
   const RefinedFaces& faces_;
   double tolerance_;
   FaceCheck check_;
-  std::uint64_t mostParts_;
 
   // The face that is refined.
   FaceTriangles* face_ = nullptr;
