@@ -36,8 +36,6 @@ public:
     double weight = 0.0;
     /// A bit for each of the face's sides on which it lies.
     std::uint8_t sides = 0;
-    /// Whether shapes alone have asked for it.
-    bool isForShape = false;
   };
 
   struct Part
@@ -79,10 +77,6 @@ public:
   }
 
   const Side& side(std::size_t side) const { return this->sides_[side]; }
-  /// The number of points on a side, without its ends.
-  Id pointsOn(std::size_t side) const { return this->pointsOn_[side]; }
-  /// The number of points that shapes alone have asked for.
-  Id pointsForShapes() const { return this->pointsForShapes_; }
   /// The side of the face on which both points lie; 3 if there is none.
   std::size_t sideWith(Id a, Id b) const;
   /// The fraction of the way along a side at a point on it.
@@ -117,8 +111,6 @@ private:
   std::vector<Point> points_;
   std::vector<Part> parts_;
   std::array<Side, 3> sides_;
-  std::array<Id, 3> pointsOn_{};
-  Id pointsForShapes_ = 0;
   std::vector<Id> changed_;
 };
 

@@ -59,16 +59,7 @@ FaceTriangles::Point RefinedFaces::pointOnEdge(
   point.here = distance.isExact() ? on.distance : distance.distance(point.place);
   point.number = number;
   point.sides = static_cast<std::uint8_t>(1U << side);
-  point.isForShape = on.isForShape;
   return point;
-}
-
-void RefinedFaces::takePoints(FaceTriangles& face, const FaceDistance& distance) const
-{
-  for (std::size_t side = 0; side < 3; ++side)
-  {
-    this->takePoints(face, side, distance);
-  }
 }
 
 // From one corner of the side to the next. A part keeps the half that begins first, so the rest of
@@ -76,21 +67,11 @@ void RefinedFaces::takePoints(FaceTriangles& face, const FaceDistance& distance)
 void RefinedFaces::takePoints(
   FaceTriangles& face, std::size_t side, const FaceDistance& distance) const
 {
-  std::vector<Id> numbers = this->edges[face.side(side).edge].points;
-  if (face.pointsOn(side) == numbers.size())
-  {
-    return;
-  }
-  if (face.side(side).isReversed)
-  {
-    std::reverse(numbers.begin(), numbers.end());
-  }
   struct Piece
   {
-    Id from; // the number of the point where it begins
     Id part;
     std::size_t k;
-    bool operator<(const Piece& other) const { return this->from < other.from; }
+    Id begin;
   };
   std::vector<Piece> pieces;
   for (Id part = 0; part < face.numberOfParts(); ++part)
@@ -100,57 +81,74 @@ void RefinedFaces::takePoints(
     {
       if (p.across[k] == NoId && face.sideWith(p.corners[k], p.corners[(k + 1) % 3]) == side)
       {
-        pieces.push_back({ face.points()[p.corners[k]].number, part, k });
+        pieces.push_back({ part, k, p.corners[k] });
       }
     }
   }
-  std::sort(pieces.begin(), pieces.end());
-  const auto find = [&pieces](Id number) {
-    return std::lower_bound(pieces.begin(), pieces.end(), Piece{ number, 0, 0 });
-  };
-  Piece last = *find(face.points()[side].number);
+  std::vector<Id> numbers = this->edges[face.side(side).edge].points;
+  if (pieces.size() == numbers.size() + 1)
+  {
+    return;
+  }
+  std::sort(pieces.begin(), pieces.end(),
+    [&](const Piece& a, const Piece& b)
+    { return face.wayAlong(side, a.begin) < face.wayAlong(side, b.begin); });
+  if (face.side(side).isReversed)
+  {
+    std::reverse(numbers.begin(), numbers.end());
+  }
+  auto piece = pieces.begin();
+  Id rest = piece->part;
   for (const Id number : numbers)
   {
-    const auto found = find(number);
-    if (found != pieces.end() && found->from == number)
+    const auto next = piece + 1;
+    if (next != pieces.end() && face.points()[next->begin].number == number)
     {
-      last = *found;
+      piece = next;
+      rest = piece->part;
       continue;
     }
-    const Id point = face.addPoint(this->pointOnEdge(side, number, distance));
-    last.part = face.split(last.part, last.k, point);
+    rest = face.split(rest, piece->k, face.addPoint(this->pointOnEdge(side, number, distance)));
   }
 }
 
 double RefinedFaces::lengthAtBorder(
   Id face, const Triangle& corners, SourceRegions& regions, double tolerance) const
 {
-  const TriangleMesh& mesh = this->field.mesh();
-  std::array<SourceRegion, 3> region;
-  std::array<double, 3> distance;
-  std::array<Vec2, 3> place;
-  for (std::size_t k = 0; k < 3; ++k)
+  struct Corner
   {
-    const Id number =
-      this->isOpen(face) ? this->triangles(face).points()[corners[k]].number : corners[k];
-    const SurfacePoint on =
-      number == NoId ? this->triangles(face).placeOf(corners[k]) : this->edges.placeOf(number);
-    region[k] = regions.at(on);
-    distance[k] = number == NoId ? this->triangles(face).points()[corners[k]].distance
-                                 : this->edges.distanceOf(number, this->field.vertexDistances());
-    place[k] = inHalfedgeFrame(mesh, longestHalfedge(mesh, face), on);
-  }
-  const auto isBorder = [&](std::size_t a, std::size_t b)
+    SourceRegion region;
+    double distance;
+    Vec2 place;
+  };
+  const auto cornerOf = [&](Id point) -> Corner
+  {
+    if (this->isOpen(face))
+    {
+      const FaceTriangles& open = this->triangles(face);
+      const FaceTriangles::Point& p = open.points()[point];
+      const SurfacePoint on =
+        p.number == NoId ? open.placeOf(point) : this->edges.placeOf(p.number);
+      return { regions.at(on), p.distance, p.place };
+    }
+    const SurfacePoint on = this->edges.placeOf(point);
+    return { regions.at(on), this->edges.distanceOf(point, this->field.vertexDistances()),
+      inHalfedgeFrame(this->field.mesh(), longestHalfedge(this->field.mesh(), face), on) };
+  };
+  const std::array<Corner, 3> c = { cornerOf(corners[0]), cornerOf(corners[1]),
+    cornerOf(corners[2]) };
+  const auto isBorder = [](const Corner& a, const Corner& b)
   {
     // Where a straight line crosses the curve between its sides, there is no border. Both ends are
     // then nearer to the crossing than to each other.
-    return region[a].source != region[b].source ||
-      (region[a].isRight != region[b].isRight &&
-        distance[a] + distance[b] > (1.0 + tolerance::Tie) * norm(place[b] - place[a]));
+    return a.region.source != b.region.source ||
+      (a.region.isRight != b.region.isRight &&
+        a.distance + b.distance > (1.0 + tolerance::Tie) * norm(b.place - a.place));
   };
-  const double longest = longestEdge(place);
-  return longest > tolerance && (isBorder(0, 1) || isBorder(1, 2) || isBorder(2, 0)) ? longest
-                                                                                     : 0.0;
+  const double longest = longestEdge({ c[0].place, c[1].place, c[2].place });
+  const bool isSplit =
+    longest > tolerance && (isBorder(c[0], c[1]) || isBorder(c[1], c[2]) || isBorder(c[2], c[0]));
+  return isSplit ? longest : 0.0;
 }
 
 }

@@ -44,8 +44,8 @@ public:
   const FaceTriangles& triangles(Id face) const { return this->open_[this->ofFace_[face]]; }
   std::vector<FaceTriangles>& openFaces() { return this->open_; }
 
-  /// Puts the points that are new on a face's edges into the face.
-  void takePoints(FaceTriangles& face, const FaceDistance& distance) const;
+  /// Puts the points that are new on the edge at a face's side into the face.
+  void takePoints(FaceTriangles& face, std::size_t side, const FaceDistance& distance) const;
   /// The piece at a fraction of the way along a side of a face.
   PieceOfEdge pieceAt(const FaceTriangles& face, std::size_t side, double way) const
   {
@@ -68,7 +68,6 @@ public:
     Id face, const Triangle& corners, SourceRegions& regions, double tolerance) const;
 
 private:
-  void takePoints(FaceTriangles& face, std::size_t side, const FaceDistance& distance) const;
   FaceTriangles::Point pointOnEdge(std::size_t side, Id number, const FaceDistance& distance) const;
 
   /// For each face its number among the open ones; NoId where none is needed.
