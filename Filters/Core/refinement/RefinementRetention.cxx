@@ -2,7 +2,6 @@
 #include "refinement/RefinementRetention.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace geodesic
@@ -45,7 +44,6 @@ RefinementRetention::RefinementRetention(
   , job_(job)
   , tolerance_(tolerance)
   , state_(mesh_.numberOfFaces(), State::Open)
-  , above_(mesh_.numberOfFaces(), 0.0F)
   , neededBy_(mesh_.numberOfFaces(), 0)
   , lists_(mesh_.numberOfFaces())
 {
@@ -75,7 +73,7 @@ void RefinementRetention::pass(std::size_t district, const PassedList& list, Id,
   this->passed_[district].push_back(measuredList(this->mesh_, list, this->tolerance_));
 }
 
-void RefinementRetention::takePassed(const FrontState& front)
+void RefinementRetention::takePassed()
 {
   for (std::vector<MeasuredList>& passed : this->passed_)
   {
@@ -84,43 +82,13 @@ void RefinementRetention::takePassed(const FrontState& front)
       const Id face = TriangleMesh::faceOf(measured.list.halfedge);
       if (this->isLinear(face))
       {
-        const double bound = boundWithLate(this->mesh_, measured.list, this->above_[face],
-          atCorners(this->mesh_, face, front.distances));
-        if (bound <= this->tolerance_)
-        {
-          this->raiseBound(bound);
-        }
-        else
-        {
-          this->keep(face);
-        }
+        this->keep(face); // tested too early
       }
-      if (this->state_[face] == State::Dropped)
-      {
-        front.free(measured.list.windows);
-      }
-      else
-      {
-        this->add(this->lists_[face], measured);
-      }
+      this->lists_[face].reserve(3); // mostly one for each halfedge
+      this->lists_[face].push_back(measured);
     }
     passed.clear();
   }
-}
-
-void RefinementRetention::add(MeasuredLists& lists, const MeasuredList& measured)
-{
-  auto last = lists.before_begin();
-  while (std::next(last) != lists.end())
-  {
-    ++last;
-  }
-  if (this->unusedLists_.empty())
-  {
-    this->unusedLists_.emplace_front();
-  }
-  this->unusedLists_.front() = measured;
-  lists.splice_after(last, this->unusedLists_, this->unusedLists_.before_begin());
 }
 
 void RefinementRetention::shortenDistance(Id vertex)
@@ -149,7 +117,7 @@ void RefinementRetention::keep(Id face)
 void RefinementRetention::advance(const FrontState& front)
 {
   constexpr double edges = 2.0;
-  this->takePassed(front);
+  this->takePassed();
   for (const Id vertex : front.settled)
   {
     for (const Id corner : this->mesh_.cornersAt(vertex))
@@ -163,51 +131,48 @@ void RefinementRetention::advance(const FrontState& front)
       }
     }
   }
+  std::vector<Id> due;
   while (!this->awaited_.empty() && this->awaited_.top().first < front.key)
   {
     const Id face = this->awaited_.top().second;
     this->awaited_.pop();
     if (this->isOpen(face))
     {
-      this->due_.push_back(face);
+      due.push_back(face);
     }
   }
-  this->testDue(front);
+  this->test(due, front);
 }
 
 // Many faces may be due at once, and a test takes long where faces have very many windows. Tests
 // run in parallel, as each reads the face's own lists; their consequences follow in a fixed order.
-void RefinementRetention::testDue(const FrontState& front)
+void RefinementRetention::test(const std::vector<Id>& due, const FrontState& front)
 {
   const double known = this->kept_.droppedErrorBound;
-  this->results_.resize(this->due_.size());
+  std::vector<LinearFaceTest> results(due.size());
   this->job_.loopByTasks(
-    this->due_.size(), [](std::size_t) {},
+    due.size(), [](std::size_t) {},
     [&](std::size_t, std::size_t i)
     {
-      const Id face = this->due_[i];
-      this->results_[i] = testLinear(this->mesh_, face,
-        atCorners(this->mesh_, face, front.distances), this->lists_[face], this->tolerance_, known);
+      const Id face = due[i];
+      results[i] = testLinear(this->mesh_, face, atCorners(this->mesh_, face, front.distances),
+        this->lists_[face], this->tolerance_, known);
     });
-  for (std::size_t i = 0; i < this->due_.size(); ++i)
+  for (std::size_t i = 0; i < due.size(); ++i)
   {
-    this->take(this->due_[i], this->results_[i], front);
+    this->take(due[i], results[i], front);
   }
-  this->due_.clear();
 }
 
 // If it is split once, a face requires its neighbours only to be halved, and does not need their
 // windows.
 void RefinementRetention::take(Id face, const LinearFaceTest& result, const FrontState& front)
 {
-  const bool isKnown = result.byBand.bound <= this->kept_.droppedErrorBound;
-  const ClosureBound& closure = isKnown ? result.byBand : result.byWindows;
-  const bool isLinear = closure.bound <= this->tolerance_;
+  const bool isLinear = result.bound < Infinity;
   this->state_[face] = isLinear ? State::Linear : State::Kept;
   if (isLinear)
   {
-    this->above_[face] = closure.above;
-    this->raiseBound(closure.bound);
+    this->kept_.droppedErrorBound = std::max(this->kept_.droppedErrorBound, result.bound);
   }
   if (isLinear || result.isSplitOnce)
   {
@@ -230,21 +195,22 @@ void RefinementRetention::dropIfUnneeded(Id face, const FrontState& front)
     {
       front.free(measured.list.windows);
     }
-    this->unusedLists_.splice_after(this->unusedLists_.before_begin(), this->lists_[face]);
+    this->lists_[face] = {};
   }
 }
 
 void RefinementRetention::finish(const FrontState& front)
 {
-  this->takePassed(front);
+  this->takePassed();
+  std::vector<Id> due;
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {
     if (this->isOpen(face) && largestAtCorners(this->mesh_, face, front.distances) < Infinity)
     {
-      this->due_.push_back(face);
+      due.push_back(face);
     }
   }
-  this->testDue(front);
+  this->test(due, front);
   this->kept_.faces.resize(this->mesh_.numberOfFaces());
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {

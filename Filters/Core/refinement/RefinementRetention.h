@@ -8,7 +8,6 @@
 #include "mesh/TriangleMesh.h"
 #include "refinement/FaceBounds.h"
 
-#include <algorithm>
 #include <functional>
 #include <queue>
 #include <utility>
@@ -61,14 +60,9 @@ private:
   {
     return this->state_[face] == State::Linear || this->state_[face] == State::Dropped;
   }
-  void raiseBound(double bound)
-  {
-    this->kept_.droppedErrorBound = std::max(this->kept_.droppedErrorBound, bound);
-  }
-  void takePassed(const FrontState& front);
-  void add(MeasuredLists& lists, const MeasuredList& measured);
+  void takePassed();
   void keep(Id face);
-  void testDue(const FrontState& front);
+  void test(const std::vector<Id>& due, const FrontState& front);
   void take(Id face, const LinearFaceTest& result, const FrontState& front);
   void dropIfUnneeded(Id face, const FrontState& front);
 
@@ -77,18 +71,12 @@ private:
   Job job_;
   double tolerance_;
   std::vector<State> state_;
-  /// How far the distance can be above the interpolant in a linear face.
-  std::vector<float> above_;
   /// The number of neighbours that may need a linear face's windows.
   std::vector<Id> neededBy_;
-  /// The lists of each face that are still kept, and memory for more.
+  /// The lists of each face that are still kept.
   std::vector<MeasuredLists> lists_;
-  MeasuredLists unusedLists_;
   using Awaited = std::pair<double, Id>;
   std::priority_queue<Awaited, std::vector<Awaited>, std::greater<Awaited>> awaited_;
-  /// Faces that are due for a test, and the results.
-  std::vector<Id> due_;
-  std::vector<LinearFaceTest> results_;
   /// The lists that each district has handed over in this batch.
   std::vector<std::vector<MeasuredList>> passed_;
 };
