@@ -7,7 +7,6 @@
 
 #include "Errors.h"
 #include "refinement/AdaptiveRefinement.h"
-#include "refinement/RefinementRetention.h"
 #include "refinement/SolveForRefinement.h"
 
 #include <gtest/gtest.h>
