@@ -8,6 +8,7 @@
 #include "refinement/SplitsOfEdges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -226,12 +227,16 @@ private:
     std::vector<std::uint8_t> isDone(due.size());
     const auto refine = [&](std::size_t task, std::size_t i)
     {
+      std::unique_ptr<FaceRefiner>& refiner = this->refiners_[task];
+      if (!refiner)
+      {
+        refiner = std::make_unique<FaceRefiner>(this->faces_, this->tolerance_);
+      }
       FaceTriangles& face = this->faces_.triangles(due[i]);
-      isDone[i] = this->refiners_[task]->refine(face, regions, requests[i]) ? 1 : 0;
+      isDone[i] = refiner->refine(face, regions, requests[i]) ? 1 : 0;
     };
     if (regions) // asks for regions, which one thread may do
     {
-      this->makeRefiners(1);
       for (std::size_t i = 0; i < due.size(); ++i)
       {
         this->options_.job.look();
@@ -240,8 +245,7 @@ private:
     }
     else
     {
-      this->options_.job.loopByTasks(
-        due.size(), [this](std::size_t tasks) { this->makeRefiners(tasks); }, refine);
+      this->options_.job.loopByTasks(due.size(), refine);
     }
     std::vector<EdgeSplit> all;
     for (std::size_t i = 0; i < due.size(); ++i)
@@ -253,14 +257,6 @@ private:
       }
     }
     return all;
-  }
-
-  void makeRefiners(std::size_t count)
-  {
-    while (this->refiners_.size() < count)
-    {
-      this->refiners_.push_back(std::make_unique<FaceRefiner>(this->faces_, this->tolerance_));
-    }
   }
 
   // The errors fall from the initial worst to the tolerance, by about the same factor with each
@@ -306,7 +302,8 @@ private:
   double tolerance_;
   RefinedFaces faces_;
   SplitsOfEdges splits_;
-  std::vector<std::unique_ptr<FaceRefiner>> refiners_;
+  /// One for each task that has run.
+  std::array<std::unique_ptr<FaceRefiner>, Job::MostTasks> refiners_;
   /// Faces with work to do.
   std::vector<Id> due_;
   /// How many points on edges have been counted.

@@ -5,6 +5,7 @@
 #include "refinement/TriangleShape.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geodesic
 {
@@ -13,18 +14,36 @@ RefinedFaces::RefinedFaces(const DistanceField& refined, const Job& job)
   : field(refined)
   , edges(refined.mesh())
   , ofFace_(refined.mesh().numberOfFaces(), NoId)
-  , isFrozen_(refined.mesh().numberOfFaces())
+  , isRefined_(refined.mesh().numberOfFaces(), 1)
 {
-  job.part(0.0, 0.0).loop(this->isFrozen_.size(),
+  const MeshPartition& surface = refined.surface();
+  const Id first = surface.firstOwnFace();
+  const Id end = surface.endOfOwnFaces();
+  job.part(0.0, 0.0).loop(end - first,
     [&](std::size_t i)
     {
-      const Id face = static_cast<Id>(i);
+      const Id face = first + static_cast<Id>(i);
       const Triangle& corners = refined.mesh().triangle(face);
-      const bool isRefined = refined.surface().isOwn(face) && refined.knowsInside(face) &&
-        !refined.isCovered(face) &&
+      const bool isRefined = refined.knowsInside(face) && !refined.isCovered(face) &&
         std::all_of(corners.begin(), corners.end(),
           [&](Id corner) { return refined.vertexDistances()[corner] < Infinity; });
-      this->isFrozen_[face] = isRefined ? 0 : 1;
+      this->isRefined_[face] = isRefined ? 1 : 0;
+    });
+  // Ranks that have a copy of a face have one of its vertices.
+  std::vector<Message> messages = surface.exchange().noMessages();
+  for (Id face = first; face < end; ++face)
+  {
+    for (std::size_t k = 0; k < 3 && !this->isRefined(face); ++k)
+    {
+      for (const RankAddress& other : surface.othersWith(surface.mesh().triangle(face)[k]))
+      {
+        put(messages[rankIndex(other.rank)], face);
+      }
+    }
+  }
+  readEach(surface.exchange().step(std::move(messages)),
+    [&](int rank, MessageReader& reader) {
+      this->isRefined_[surface.copyOf({ rank, reader.get<Id>() })] = 0;
     });
 }
 

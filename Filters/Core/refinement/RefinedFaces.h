@@ -28,15 +28,21 @@ struct PieceOfEdge
 class RefinedFaces
 {
 public:
+  /// All ranks construct this together.
+  ///
   /// \param refined must outlive this.
   explicit RefinedFaces(const DistanceField& refined, const Job& job = {});
 
   const DistanceField& field;
   CutEdges edges;
 
-  /// Whether this rank does not refine a face: it is another rank's or covered, or the field does
-  /// not know all of it.
-  bool isFrozen(Id face) const { return this->isFrozen_[face] != 0; }
+  /// Whether the owner of a face refines it: it is not covered, and the field knows all of it.
+  bool isRefined(Id face) const { return this->isRefined_[face] != 0; }
+  /// Whether this rank does not refine a face.
+  bool isFrozen(Id face) const
+  {
+    return !this->isRefined(face) || !this->field.surface().isOwn(face);
+  }
   /// Begins the triangulation of a face; its edges get numbers.
   void open(Id face);
   bool isOpen(Id face) const { return this->ofFace_[face] != NoId; }
@@ -72,7 +78,7 @@ private:
 
   /// For each face its number among the open ones; NoId where none is needed.
   std::vector<Id> ofFace_;
-  std::vector<std::uint8_t> isFrozen_;
+  std::vector<std::uint8_t> isRefined_;
   std::vector<FaceTriangles> open_;
 };
 

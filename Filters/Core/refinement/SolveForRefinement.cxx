@@ -150,8 +150,7 @@ void RefinementRetention::test(const std::vector<Id>& due, const FrontState& fro
 {
   const double known = this->kept_.droppedErrorBound;
   std::vector<LinearFaceTest> results(due.size());
-  this->job_.loopByTasks(
-    due.size(), [](std::size_t) {},
+  this->job_.loopByTasks(due.size(),
     [&](std::size_t, std::size_t i)
     {
       const Id face = due[i];

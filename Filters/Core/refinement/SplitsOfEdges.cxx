@@ -40,55 +40,22 @@ void keepMostUrgent(std::vector<EdgeSplit>& requests)
   requests.erase(std::unique(requests.begin(), requests.end(), isSamePiece), requests.end());
 }
 
-// Each rank tells those that have a copy of a frozen face: those that have one of its vertices.
-std::vector<std::uint8_t> frozenOnAnyRank(const RefinedFaces& faces)
-{
-  const MeshPartition& surface = faces.field.surface();
-  std::vector<std::uint8_t> isFrozen(surface.mesh().numberOfFaces(), 0);
-  std::vector<Message> messages = surface.exchange().noMessages();
-  for (Id face = surface.firstOwnFace(); face < surface.endOfOwnFaces(); ++face)
-  {
-    isFrozen[face] = faces.isFrozen(face) ? 1 : 0;
-    for (std::size_t k = 0; k < 3 && isFrozen[face] != 0; ++k)
-    {
-      for (const RankAddress& other : surface.othersWith(surface.mesh().triangle(face)[k]))
-      {
-        put(messages[rankIndex(other.rank)], face);
-      }
-    }
-  }
-  readEach(surface.exchange().step(std::move(messages)),
-    [&](int rank, MessageReader& reader) {
-      isFrozen[surface.copyOf({ rank, reader.get<Id>() })] = 1;
-    });
-  return isFrozen;
-}
-
 } // anonymous namespace
-
-SplitsOfEdges::SplitsOfEdges(RefinedFaces& faces, double tolerance, const Job& job)
-  : faces_(faces)
-  , edges_(faces.edges)
-  , isFrozen_(frozenOnAnyRank(faces))
-  , tolerance_(tolerance)
-  , job_(job)
-{
-}
 
 // Runs item(splitter, i) for i below the count.
 template <typename Item>
 void SplitsOfEdges::run(std::size_t count, const Item& item)
 {
-  this->job_.loopByTasks(
-    count,
-    [this](std::size_t tasks)
+  this->job_.loopByTasks(count,
+    [&](std::size_t task, std::size_t i)
     {
-      while (this->splitters_.size() < tasks)
+      std::unique_ptr<EdgeSplitter>& splitter = this->splitters_[task];
+      if (!splitter)
       {
-        this->splitters_.push_back(std::make_unique<EdgeSplitter>(this->faces_, this->tolerance_));
+        splitter = std::make_unique<EdgeSplitter>(this->faces_, this->tolerance_);
       }
-    },
-    [&](std::size_t task, std::size_t i) { item(*this->splitters_[task], i); });
+      item(*splitter, i);
+    });
 }
 
 std::vector<EdgeSplit> SplitsOfEdges::measureNew()
@@ -130,7 +97,6 @@ std::vector<EdgeSplit> SplitsOfEdges::measureNew()
 
 void SplitsOfEdges::split(std::vector<EdgeSplit> requests)
 {
-  keepMostUrgent(requests);
   std::vector<Message> messages = this->faces_.field.surface().exchange().noMessages();
   for (const EdgeSplit& request : requests)
   {
@@ -166,7 +132,7 @@ int SplitsOfEdges::deciderOf(Id edge) const
   int rank = -1;
   forEachFace(surface.mesh(), SurfacePoint::onEdge(this->edges_[edge].halfedge, 0.5),
     [&](Id face)
-    { rank = rank < 0 && this->isFrozen_[face] == 0 ? surface.addressOf(face).rank : rank; });
+    { rank = rank < 0 && this->faces_.isRefined(face) ? surface.addressOf(face).rank : rank; });
   return rank;
 }
 

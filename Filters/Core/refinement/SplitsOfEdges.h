@@ -6,7 +6,7 @@
 #include "Job.h"
 #include "refinement/EdgeSplitter.h"
 
-#include <cstdint>
+#include <array>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -19,8 +19,14 @@ namespace geodesic
 class SplitsOfEdges
 {
 public:
-  /// All ranks construct this together. The faces and the job must outlive it.
-  SplitsOfEdges(RefinedFaces& faces, double tolerance, const Job& job);
+  /// The faces and the job must outlive this.
+  SplitsOfEdges(RefinedFaces& faces, double tolerance, const Job& job)
+    : faces_(faces)
+    , edges_(faces.edges)
+    , tolerance_(tolerance)
+    , job_(job)
+  {
+  }
 
   /// Measures the edges that have been added or split since the last call. \returns for each edge
   /// without points that is over the tolerance a request to split it.
@@ -41,11 +47,10 @@ private:
 
   RefinedFaces& faces_;
   CutEdges& edges_;
-  /// For each face of any rank, not 0 if its owner does not refine it.
-  std::vector<std::uint8_t> isFrozen_;
   double tolerance_;
   const Job& job_;
-  std::vector<std::unique_ptr<EdgeSplitter>> splitters_;
+  /// One for each task that has run.
+  std::array<std::unique_ptr<EdgeSplitter>, Job::MostTasks> splitters_;
   /// How many edges and points have been measured.
   Id measured_ = 0;
   std::size_t measuredPoints_ = 0;
