@@ -88,36 +88,28 @@ private:
       0.0;
   }
 
-  // Works in batches. Each batch knows the bound certified by the previous ones, as smaller bounds
-  // need not be sharp.
   void assessFaces()
   {
-    const Id end = this->surface_.endOfOwnFaces();
-    const Id count = end - this->surface_.firstOwnFace();
-    std::vector<double> bounds;
-    for (Id left = count; left > 0; left -= std::min<Id>(left, 2 * ItemsInRange))
-    {
-      this->options_.job.reach(FacesAssessed * (count - left) / count);
-      bounds.assign(std::min<Id>(left, 2 * ItemsInRange), 0.0);
-      this->options_.job.part(0.0, 0.0).loop(bounds.size(),
+    const Id first = this->surface_.firstOwnFace();
+    std::vector<double> bounds(this->surface_.endOfOwnFaces() - first);
+    this->options_.job.part(0.0, FacesAssessed)
+      .loop(bounds.size(),
         [&](std::size_t i)
         {
-          const Id face = end - left + static_cast<Id>(i);
-          if (!this->faces_.isFrozen(face))
-          {
-            bounds[i] = quickBoundOfFace(this->faces_.field, face, this->tolerance_, this->bound_);
-          }
+          const Id face = first + static_cast<Id>(i);
+          bounds[i] = this->faces_.isFrozen(face)
+            ? 0.0
+            : quickBoundOfFace(this->faces_.field, face, this->tolerance_);
         });
-      for (std::size_t i = 0; i < bounds.size(); ++i)
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+    {
+      if (bounds[i] == Infinity)
       {
-        if (bounds[i] == Infinity)
-        {
-          this->due_.push_back(end - left + static_cast<Id>(i));
-        }
-        else
-        {
-          this->bound_ = std::max(this->bound_, bounds[i]);
-        }
+        this->due_.push_back(first + static_cast<Id>(i));
+      }
+      else
+      {
+        this->bound_ = std::max(this->bound_, bounds[i]);
       }
     }
   }

@@ -151,7 +151,7 @@ FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<doub
   return { above + slack.above, below + slack.below };
 }
 
-double quickBoundOfFace(const DistanceField& field, Id face, double tolerance, double known)
+double quickBoundOfFace(const DistanceField& field, Id face, double tolerance)
 {
   const TriangleMesh& mesh = field.mesh();
   const Triangle& corners = mesh.triangle(face);
@@ -163,12 +163,6 @@ double quickBoundOfFace(const DistanceField& field, Id face, double tolerance, d
   }
   const double rounding = roundingOf(d);
   const double limit = tolerance - rounding;
-  // Distances change by no more than the length moved.
-  const double bySize = shape.longest() <= limit ? shape.longest() : Infinity;
-  if (bySize <= known || !(shape.area2 > 0.0))
-  {
-    return bySize + rounding;
-  }
   const std::array<Id, 3> halfedges = TriangleMesh::halfedgesOf(face);
   const FaceBounds bounds = boundsOfFace(mesh, face, d,
     { field.windowsOn(halfedges[0]), field.windowsOn(halfedges[1]), field.windowsOn(halfedges[2]) },
@@ -180,7 +174,8 @@ double quickBoundOfFace(const DistanceField& field, Id face, double tolerance, d
     const double atB = source.b[0] * d[0] + source.b[1] * d[1] + source.b[2] * d[2];
     bound = std::max(bound, std::max(atA, atB) + slackOf(shape, d).below);
   }
-  return (bound <= limit ? std::min(bound, bySize) : bySize) + rounding;
+  bound = std::min(bound, shape.longest()); // distances change by no more than the length moved
+  return bound <= limit ? bound + rounding : Infinity;
 }
 
 MeasuredList measuredList(const TriangleMesh& mesh, const PassedList& list, double tolerance)

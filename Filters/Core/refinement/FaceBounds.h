@@ -52,9 +52,7 @@ FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<doub
 
 /// A bound of |distance - linear interpolant| in a face of a field, with rounding, that needs no
 /// envelopes. Infinite if it exceeds the tolerance.
-///
-/// \param known if the bound from the face's size is at most this, it is not made sharper.
-double quickBoundOfFace(const DistanceField& field, Id face, double tolerance, double known);
+double quickBoundOfFace(const DistanceField& field, Id face, double tolerance);
 
 /// A passed list, and whether its windows stay in a band around the line between the distances at
 /// the ends of its halfedge.

@@ -251,7 +251,7 @@ TEST(QuickBound, IsNoLessThanTheInterpolantAtEitherEndOfASourceInTheFace)
     const geodesic::DistanceField field =
       solveKeepingAll(mesh, engineCurves(mesh, Sources{ {}, { segment } }));
     constexpr double tolerance = 10.0; // more than any distance
-    const double bound = geodesic::quickBoundOfFace(field, segment.face, tolerance, 0.0);
+    const double bound = geodesic::quickBoundOfFace(field, segment.face, tolerance);
     for (const Barycentric& end : { segment.from, segment.to })
     {
       double interpolant = 0.0;
