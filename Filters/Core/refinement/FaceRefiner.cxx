@@ -63,7 +63,10 @@ bool FaceRefiner::refine(
   this->regions_ = regions;
   this->requests_ = &requests;
   this->open_ = {};
-  this->enter(face);
+  this->face_ = &face;
+  this->check_.enter(face);
+  this->leastAngle_ =
+    std::min(LeastAngle, LeastAngleFraction * smallestAngle(face.places({ 0, 1, 2 })));
   for (std::size_t side = 0; side < 3; ++side)
   {
     this->faces_.takePoints(face, side, this->check_.distance());
@@ -104,14 +107,6 @@ bool FaceRefiner::refine(
     }
   }
   return true;
-}
-
-void FaceRefiner::enter(FaceTriangles& face)
-{
-  this->face_ = &face;
-  this->check_.enter(face);
-  this->leastAngle_ =
-    std::min(LeastAngle, LeastAngleFraction * smallestAngle(face.places({ 0, 1, 2 })));
 }
 
 void FaceRefiner::assess(Id part)

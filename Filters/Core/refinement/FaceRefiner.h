@@ -45,7 +45,6 @@ private:
 
     bool operator<(const OpenPart& other) const;
   };
-  void enter(FaceTriangles& face);
   void assess(Id part);
   void assessAtBorder(Id part);
   double urgencyOfShape(Id part) const;

@@ -22,11 +22,6 @@ struct SentSplit
   EdgeSplit split;
 };
 
-bool isSamePiece(const EdgeSplit& a, const EdgeSplit& b)
-{
-  return a.edge == b.edge && a.piece == b.piece;
-}
-
 // The most urgent request for each piece, by edges and pieces. The last pieces of an edge come
 // first, as splits change the numbers of those behind them.
 void keepMostUrgent(std::vector<EdgeSplit>& requests)
@@ -37,6 +32,8 @@ void keepMostUrgent(std::vector<EdgeSplit>& requests)
       return std::tuple(a.edge, b.piece, a.reason, b.urgency, a.weight) <
         std::tuple(b.edge, a.piece, b.reason, a.urgency, b.weight);
     });
+  const auto isSamePiece = [](const EdgeSplit& a, const EdgeSplit& b)
+  { return a.edge == b.edge && a.piece == b.piece; };
   requests.erase(std::unique(requests.begin(), requests.end(), isSamePiece), requests.end());
 }
 
