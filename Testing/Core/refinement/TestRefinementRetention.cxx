@@ -458,3 +458,27 @@ TEST(KeptWindowsOfASheet, AreFewAndRefuseWhatTheyCannotTell)
   options.tolerance = 0.25;
   EXPECT_THROW(geodesic::refine(field, options), geodesic::Error);
 }
+
+// Faces without windows are cut where their neighbours split their edges.
+TEST(KeptWindowsOfASheet, TrianglesOfOtherFacesCountForTheCap)
+{
+  Random random(11);
+  const PlainMesh mesh = bumpySheet(16, 16, 0, 0.1, random);
+  const TriangleMesh engine = engineMesh(mesh);
+  const auto curves = engineCurves(engine, Sources{ { vertexPoint(mesh, 0) }, {} });
+  std::size_t cut = 0;
+  for (const double tolerance : { 0.05, 0.02, 0.01 })
+  {
+    const DistanceField field = solveFor(engine, curves, tolerance);
+    const RefinedMesh whole = refineTo(field, tolerance);
+    for (std::size_t i = 1; i < whole.faces.size(); ++i)
+    {
+      const Id face = whole.faces[i];
+      cut += face == whole.faces[i - 1] && !field.knowsInside(face) ? 1 : 0;
+    }
+    const RefinedMesh capped = refineTo(field, tolerance, whole.triangles.size() - 1);
+    EXPECT_LT(capped.triangles.size(), whole.triangles.size());
+    EXPECT_TRUE(capped.stoppedAtMaximum);
+  }
+  EXPECT_GT(cut, 0u);
+}
