@@ -142,23 +142,22 @@ public:
     return results;
   }
 
+  /// Into how many tasks loopByTasks() divides a loop at most.
+  static constexpr std::size_t MostTasks = 64;
+
   /// Runs item(task, i) for i below `count`, for items that may take long. The tasks run on the
   /// threads, each with its own share of the items. The number of items alone determines them.
-  ///
-  /// \param prepare called with the number of tasks before some of them run.
-  template <typename Prepare, typename Item>
-  void loopByTasks(std::size_t count, const Prepare& prepare, const Item& item) const
+  template <typename Item>
+  void loopByTasks(std::size_t count, const Item& item) const
   {
     const std::size_t itemsPerLook = this->isParallel() ? 256 : 16;
     constexpr std::size_t itemsPerTask = 2;
-    constexpr std::size_t mostTasks = 64;
     for (std::size_t first = 0; first < count; first += itemsPerLook)
     {
       this->look();
       const std::size_t items = std::min(itemsPerLook, count - first);
       const std::size_t tasks =
-        this->isParallel() ? std::clamp<std::size_t>(items / itemsPerTask, 1, mostTasks) : 1;
-      prepare(tasks);
+        this->isParallel() ? std::clamp<std::size_t>(items / itemsPerTask, 1, MostTasks) : 1;
       this->tasks(tasks,
         [&](std::size_t task)
         {

@@ -76,7 +76,7 @@ double CutEdges::lengthOfPiece(Id edge, Id piece) const
     this->edges_[edge].length;
 }
 
-Id CutEdges::pieceFrom(Id edge, double at) const
+Id CutEdges::pieceAt(Id edge, double at) const
 {
   const std::vector<Id>& points = this->edges_[edge].points;
   const auto behind = std::upper_bound(points.begin(), points.end(), at,
@@ -92,8 +92,8 @@ void CutEdges::split(const EdgeSplit& split)
   const double to = this->placeOfEnd(edge, split.piece + 1);
   const Id number = this->mesh_.numberOfVertices() + static_cast<Id>(this->points_.size());
   this->points_.push_back({ edge, from + split.weight * (to - from), split.distance,
-    { this->endOfPiece(edge, split.piece), this->endOfPiece(edge, split.piece + 1) }, split.weight,
-    split.reason == SplitReason::Shape });
+    { this->endOfPiece(edge, split.piece), this->endOfPiece(edge, split.piece + 1) },
+    split.weight });
   const auto piece = static_cast<std::ptrdiff_t>(split.piece);
   e.points.insert(e.points.begin() + piece, number);
   e.pieces[split.piece] = Deviation::unknown();

@@ -24,8 +24,6 @@ struct PointOnEdge
   /// Points are numbered: the mesh's vertices, then these.
   std::array<Id, 2> parents;
   double weight;
-  /// Whether shapes alone have asked for it.
-  bool isForShape;
 };
 
 /// An edge of the input under refinement, whose points all faces around it share.
@@ -104,8 +102,8 @@ public:
   Id endOfPiece(Id edge, Id end) const;
   double placeOfEnd(Id edge, Id end) const;
   double lengthOfPiece(Id edge, Id piece) const;
-  /// The piece that begins at a point, or at the edge's begin.
-  Id pieceFrom(Id edge, double at) const;
+  /// The piece at a fraction of the way along the edge.
+  Id pieceAt(Id edge, double at) const;
 
   /// The deviations of both parts of the piece are not known then.
   void split(const EdgeSplit& split);

@@ -48,38 +48,26 @@ struct LineOnSegment
 /// The largest differences between a distance along a segment and its linear interpolant.
 struct Deviation
 {
-  /// Distance minus interpolant, >= 0, and where, as a fraction of the length.
+  /// Distance minus interpolant, >= 0.
   double above = 0.0;
-  double aboveAt = 0.5;
-  /// Interpolant minus distance, >= 0, and where.
+  /// Interpolant minus distance, >= 0.
   double below = 0.0;
-  double belowAt = 0.5;
+  /// Where the larger one is, as a fraction of the length.
+  double at = 0.5;
 
   /// What has not been measured yet.
-  static Deviation unknown() { return { -1.0, 0.5, -1.0, 0.5 }; }
+  static Deviation unknown() { return { -1.0, -1.0 }; }
   bool isKnown() const { return this->above >= 0.0; }
   double largest() const { return std::max(this->above, this->below); }
-  /// Where the larger one is.
-  double at() const { return this->above >= this->below ? this->aboveAt : this->belowAt; }
   /// The same from the other end.
-  Deviation reversed() const
-  {
-    return { this->above, 1.0 - this->aboveAt, this->below, 1.0 - this->belowAt };
-  }
+  Deviation reversed() const { return { this->above, this->below, 1.0 - this->at }; }
 
   /// Takes the larger values of both.
   void widen(const Deviation& other)
   {
-    if (other.above > this->above)
-    {
-      this->above = other.above;
-      this->aboveAt = other.aboveAt;
-    }
-    if (other.below > this->below)
-    {
-      this->below = other.below;
-      this->belowAt = other.belowAt;
-    }
+    this->at = other.largest() > this->largest() ? other.at : this->at;
+    this->above = std::max(this->above, other.above);
+    this->below = std::max(this->below, other.below);
   }
 };
 
@@ -98,8 +86,7 @@ inline Deviation largestDeviation(
   const auto look = [&](const Window& w, double x)
   {
     const double e = w.distance(x) - line.at(x - from);
-    const double at = (x - from) / length;
-    deviation.widen({ std::max(e, 0.0), at, std::max(-e, 0.0), at });
+    deviation.widen({ std::max(e, 0.0), std::max(-e, 0.0), (x - from) / length });
   };
   auto w = std::partition_point(
     envelope.begin(), envelope.end(), [from](const Window& before) { return before.end <= from; });

@@ -197,7 +197,7 @@ std::vector<double> EdgeSplitter::cuts(double limit) const
   }
   if (forward.size() == 1)
   {
-    const double worst = this->deviation(0.0, length, nullptr).at() * length;
+    const double worst = this->deviation(0.0, length, nullptr).at * length;
     if (this->isWithin(0.0, worst, limit) && this->isWithin(worst, length, limit))
     {
       return { worst };

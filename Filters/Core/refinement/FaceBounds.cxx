@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace geodesic
@@ -152,7 +151,7 @@ FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<doub
   return { above + slack.above, below + slack.below };
 }
 
-double quickBoundOfFace(const DistanceField& field, Id face, double tolerance, double known)
+double quickBoundOfFace(const DistanceField& field, Id face, double tolerance)
 {
   const TriangleMesh& mesh = field.mesh();
   const Triangle& corners = mesh.triangle(face);
@@ -164,12 +163,6 @@ double quickBoundOfFace(const DistanceField& field, Id face, double tolerance, d
   }
   const double rounding = roundingOf(d);
   const double limit = tolerance - rounding;
-  // Distances change by no more than the length moved.
-  const double bySize = shape.longest() <= limit ? shape.longest() : Infinity;
-  if (bySize <= known || !(shape.area2 > 0.0))
-  {
-    return bySize + rounding;
-  }
   const std::array<Id, 3> halfedges = TriangleMesh::halfedgesOf(face);
   const FaceBounds bounds = boundsOfFace(mesh, face, d,
     { field.windowsOn(halfedges[0]), field.windowsOn(halfedges[1]), field.windowsOn(halfedges[2]) },
@@ -181,7 +174,8 @@ double quickBoundOfFace(const DistanceField& field, Id face, double tolerance, d
     const double atB = source.b[0] * d[0] + source.b[1] * d[1] + source.b[2] * d[2];
     bound = std::max(bound, std::max(atA, atB) + slackOf(shape, d).below);
   }
-  return (bound <= limit ? std::min(bound, bySize) : bySize) + rounding;
+  bound = std::min(bound, shape.longest()); // distances change by no more than the length moved
+  return bound <= limit ? bound + rounding : Infinity;
 }
 
 MeasuredList measuredList(const TriangleMesh& mesh, const PassedList& list, double tolerance)
@@ -215,10 +209,7 @@ MeasuredList measuredList(const TriangleMesh& mesh, const PassedList& list, doub
   return measured;
 }
 
-namespace
-{
-
-// From what was found about the lists as they passed. In a gap the distance changes by no more than
+// In a gap the distance changes by no more than
 // the length moved from the gap's ends, and the line by no more either.
 FaceBounds boundsByBand(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
   const MeasuredLists& lists, double tolerance)
@@ -253,6 +244,9 @@ FaceBounds boundsByBand(const TriangleMesh& mesh, Id face, const std::array<doub
   return { (1.0 + BandGap) * limit + slack.above, limit + slack.below };
 }
 
+namespace
+{
+
 FaceBounds boundsByWindows(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
   const MeasuredLists& lists, double limit)
 {
@@ -270,48 +264,26 @@ FaceBounds boundsByWindows(const TriangleMesh& mesh, Id face, const std::array<d
   return boundsOfFace(mesh, face, d, windows, limit);
 }
 
-ClosureBound closureBound(const FaceBounds& bounds, double rounding)
-{
-  const float above = std::nextafter( // rounded up
-    static_cast<float>(bounds.above), std::numeric_limits<float>::infinity());
-  return { static_cast<double>(above) + bounds.below + 2.0 * rounding, above };
-}
-
 } // anonymous namespace
 
 LinearFaceTest testLinear(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
   const MeasuredLists& lists, double tolerance, double known)
 {
   const double rounding = roundingOf(d);
-  LinearFaceTest result;
-  result.byBand = closureBound(boundsByBand(mesh, face, d, lists, tolerance), rounding);
-  if (result.byBand.bound <= known)
+  const auto ofClosure = [rounding](const FaceBounds& bounds)
+  { return bounds.above + bounds.below + 2.0 * rounding; };
+  double bound = ofClosure(boundsByBand(mesh, face, d, lists, tolerance));
+  if (!(bound <= known))
   {
-    return result;
+    bound = ofClosure(boundsByWindows(mesh, face, d, lists, tolerance - rounding));
   }
-  result.byWindows =
-    closureBound(boundsByWindows(mesh, face, d, lists, tolerance - rounding), rounding);
-  if (!(result.byWindows.bound <= tolerance))
+  if (bound <= tolerance)
   {
-    result.byWindows = {};
-    const double once = SplitOnce * tolerance;
-    const FaceBounds wide = boundsByWindows(mesh, face, d, lists, once);
-    result.isSplitOnce = std::max(wide.above, wide.below) + rounding <= once;
+    return { bound, true };
   }
-  return result;
-}
-
-// Through windows of one halfedge the distance can be below the interpolant by so much, anywhere in
-// the face.
-double boundWithLate(
-  const TriangleMesh& mesh, const PassedList& late, float above, const std::array<double, 3>& d)
-{
-  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(late.halfedge));
-  const std::size_t k = TriangleMesh::indexInFace(late.halfedge);
-  const LineOnSegment line(shape.length[k], d[k], d[(k + 1) % 3]);
-  const WindowRange windows = late.windows.range();
-  return static_cast<double>(above) + roundingOf(d) +
-    (belowOfHalfedge(line, { &windows, &windows + 1 }) + slackOf(shape, d).below);
+  const double once = SplitOnce * tolerance;
+  const FaceBounds wide = boundsByWindows(mesh, face, d, lists, once);
+  return { Infinity, std::max(wide.above, wide.below) + rounding <= once };
 }
 
 }

@@ -6,7 +6,7 @@
 #include "front/Retention.h"
 
 #include <array>
-#include <forward_list>
+#include <vector>
 
 namespace geodesic
 {
@@ -52,9 +52,7 @@ FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<doub
 
 /// A bound of |distance - linear interpolant| in a face of a field, with rounding, that needs no
 /// envelopes. Infinite if it exceeds the tolerance.
-///
-/// \param known if the bound from the face's size is at most this, it is not made sharper.
-double quickBoundOfFace(const DistanceField& field, Id face, double tolerance, double known);
+double quickBoundOfFace(const DistanceField& field, Id face, double tolerance);
 
 /// A passed list, and whether its windows stay in a band around the line between the distances at
 /// the ends of its halfedge.
@@ -68,30 +66,26 @@ struct MeasuredList
 };
 
 /// The lists that have passed through a face, in this order.
-using MeasuredLists = std::forward_list<MeasuredList>;
+using MeasuredLists = std::vector<MeasuredList>;
 
 /// Measures a list while its windows are in the cache.
 ///
 /// \param tolerance of the refinement.
 MeasuredList measuredList(const TriangleMesh& mesh, const PassedList& list, double tolerance);
 
-/// How far any closure of a face by triangles between points of its edges can be from the distance:
-/// A + B, where A and B bound how far the distance is above and below the linear interpolant of the
-/// corners (Bounds.md).
-struct ClosureBound
-{
-  /// With all rounding; and A.
-  double bound = Infinity;
-  float above = 0.0F;
-};
+/// Wide bounds, from what was found about all lists of a face as they passed. Infinite if some list
+/// leaves its band, or if the distances at the corners have changed since.
+///
+/// \param tolerance for which the lists were measured.
+FaceBounds boundsByBand(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
+  const MeasuredLists& lists, double tolerance);
 
-/// Whether the distance in a face is linear, which it is if a bound is within the tolerance.
+/// Whether the distance in a face is linear: whether a bound of how far any closure by triangles
+/// between points of the edges can be from the distance is within the tolerance (Bounds.md).
 struct LinearFaceTest
 {
-  /// From the bands alone; may be wide. Good enough if a bound of this size is reported anyway.
-  ClosureBound byBand;
-  /// Not computed if byBand is good enough; infinite if the face is not linear.
-  ClosureBound byWindows;
+  /// Infinite if the face is not linear.
+  double bound = Infinity;
   /// Whether the face is close enough to linear that one split of its edges suffices.
   bool isSplitOnce = true;
 };
@@ -101,10 +95,6 @@ struct LinearFaceTest
 /// \param known a bound that is reported anyway: smaller bounds need not be sharp.
 LinearFaceTest testLinear(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
   const MeasuredLists& lists, double tolerance, double known);
-
-/// A + B of a linear face after another list has passed, which leaves A valid.
-double boundWithLate(
-  const TriangleMesh& mesh, const PassedList& late, float above, const std::array<double, 3>& d);
 
 }
 

@@ -19,11 +19,6 @@ namespace
 constexpr unsigned MaximumPieces = 200;
 constexpr unsigned MaximumHalvings = 14;
 
-// A tight search ends when the bound exceeds an error that does occur by no more than this
-// fraction: the reported bound need not be sharper, and halving the gap takes several times the
-// parts.
-constexpr double TightFraction = 0.05;
-
 /// The excess of one candidate, or of a convex combination, over the function at the corners of a
 /// part.
 using AtCorners = std::array<double, 3>;
@@ -111,7 +106,7 @@ Deviation FaceCheck::deviationOf(Id a, Id b)
 // In an approximate field the faces around a point differ by what merging has changed, which no
 // refinement can undo. The triangle gets the rest of the tolerance, but at least half of it. A
 // triangle as small as the tolerance passes.
-FaceCheck::Result FaceCheck::of(const Triangle& corners, bool isTight)
+FaceCheck::Result FaceCheck::of(const Triangle& corners)
 {
   LinearPiece linear;
   double largest = 0.0;
@@ -129,13 +124,20 @@ FaceCheck::Result FaceCheck::of(const Triangle& corners, bool isTight)
   const double rounding = tolerance::FaceRounding * largest;
   const double limit = std::max(this->tolerance_ - difference - rounding, 0.5 * this->tolerance_);
   const bool isSmall = longestEdge(linear.corners) <= limit;
-  if (onSides.largest() > limit && !isSmall && !isTight)
+  if (onSides.largest() > limit && !isSmall)
   {
-    return { false, Infinity, onSides.largest(), limit };
+    return { Infinity, onSides.largest(), limit };
   }
-  const Inside inside = this->errorInside(linear, onSides, limit, isTight || isSmall);
-  const double own = std::max(inside.bound, onSides.largest());
-  return { isSmall || own <= limit, own + rounding + difference, inside.sample, limit };
+  const double below = std::max(onSides.below, this->belowAtSources(linear));
+  if (below > limit && !isSmall)
+  {
+    return { Infinity, below, limit };
+  }
+  Result result = this->above(linear, onSides.above, limit);
+  result.sample = std::max(result.sample, below);
+  const double own = std::max({ result.bound, below, onSides.above });
+  result.bound = isSmall || own <= limit ? own + rounding + difference : Infinity;
+  return result;
 }
 
 // Each end of a segment is a source of its own.
@@ -160,20 +162,7 @@ double FaceCheck::belowAtSources(const LinearPiece& piece) const
   return below;
 }
 
-FaceCheck::Inside FaceCheck::errorInside(
-  const LinearPiece& piece, const Deviation& onEdges, double limit, bool isTight)
-{
-  const double below = std::max(onEdges.below, this->belowAtSources(piece));
-  if (below > limit && !isTight)
-  {
-    return { Infinity, below };
-  }
-  const Inside above = this->above(piece, onEdges.above, limit, isTight);
-  return { std::max(above.bound, below), std::max(above.sample, below) };
-}
-
-FaceCheck::Inside FaceCheck::above(
-  const LinearPiece& piece, double onEdges, double limit, bool isTight)
+FaceCheck::Result FaceCheck::above(const LinearPiece& piece, double onEdges, double limit)
 {
   const Vec2 e1 = piece.corners[1] - piece.corners[0];
   const Vec2 e2 = piece.corners[2] - piece.corners[0];
@@ -181,24 +170,19 @@ FaceCheck::Inside FaceCheck::above(
   // A triangle whose corners lie on a line consists of its edges.
   if (!(area2 > 0.0))
   {
-    return { onEdges, onEdges };
+    return { onEdges, onEdges, limit };
   }
   const double longest = longestEdge(piece.corners);
   const GradientSlack slack = slackOf({ dot(e1, e1), dot(e1, e2), dot(e2, e2), area2, longest },
     piece.values[1] - piece.values[0], piece.values[2] - piece.values[0]);
   // The distance changes by no more than the length moved to a corner, or to an edge.
   const double byWay = std::min(longest, onEdges + slack.above);
-  if (byWay <= limit)
-  {
-    return { byWay, onEdges };
-  }
-  const Inside searched = this->search(piece, limit, isTight);
-  return { std::min(byWay, searched.bound), std::max(onEdges, searched.sample) };
+  return byWay <= limit ? Result{ byWay, onEdges, limit } : this->search(piece, onEdges, limit);
 }
 
 // Branch and bound: halves the triangle repeatedly until, on each part, some convex combination of
 // candidates is close enough to the function at the corners.
-FaceCheck::Inside FaceCheck::search(const LinearPiece& piece, double limit, bool isTight)
+FaceCheck::Result FaceCheck::search(const LinearPiece& piece, double onEdges, double limit)
 {
   const std::array<Vec2, 3>& c = piece.corners;
   const Vec2 middle = (1.0 / 3.0) * (c[0] + c[1] + c[2]);
@@ -206,7 +190,7 @@ FaceCheck::Inside FaceCheck::search(const LinearPiece& piece, double limit, bool
   this->near_.choose(this->distance_, middle, radius);
   this->excess_.clear();
   Node root{ piece, 0, {} };
-  Inside result = { 0.0, 0.0 };
+  Result result = { 0.0, onEdges, limit };
   for (std::size_t k = 0; k < 3; ++k)
   {
     root.row[k] = this->addRow(piece.corners[k], piece.values[k]);
@@ -217,21 +201,21 @@ FaceCheck::Inside FaceCheck::search(const LinearPiece& piece, double limit, bool
   {
     const Node node = this->nodes_.back();
     this->nodes_.pop_back();
-    const double enough = isTight ? std::max(limit, (1.0 + TightFraction) * result.sample) : limit;
-    const double bound = this->boundOf(node, enough);
-    if (bound <= enough || node.depth == MaximumHalvings || pieces >= MaximumPieces)
+    const double bound = this->boundOf(node, limit);
+    if (bound <= limit)
     {
       result.bound = std::max(result.bound, bound);
-      if (result.bound > limit && !isTight)
-      {
-        return result;
-      }
       continue;
     }
-    result.sample = std::max(result.sample, this->halve(node));
-    if (result.sample > limit && !isTight)
+    const bool isLast = node.depth == MaximumHalvings || pieces >= MaximumPieces;
+    if (!isLast)
     {
-      return { Infinity, result.sample };
+      result.sample = std::max(result.sample, this->halve(node));
+    }
+    if (isLast || result.sample > limit)
+    {
+      result.bound = Infinity;
+      return result;
     }
   }
   return result;

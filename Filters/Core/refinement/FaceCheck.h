@@ -22,8 +22,7 @@ class FaceCheck
 public:
   struct Result
   {
-    bool hasPassed;
-    /// No difference is larger.
+    /// No difference is larger; infinite if the triangle is over the limit.
     double bound;
     /// A difference that does occur.
     double sample;
@@ -43,9 +42,7 @@ public:
   const FaceDistance& distance() const { return this->distance_; }
   /// The deviation along a side between two points of the face.
   Deviation deviationOf(Id a, Id b);
-  /// \param isTight whether the bound has to be close to a difference that does occur, also over
-  ///        the tolerance.
-  Result of(const Triangle& corners, bool isTight);
+  Result of(const Triangle& corners);
 
 private:
   /// A triangle of the face's plane with a linear function, given by its values at the corners.
@@ -62,18 +59,10 @@ private:
     /// For each corner, its row in the table of excesses.
     std::array<std::size_t, 3> row;
   };
-  /// The differences inside of a triangle: no one is larger than the bound, and the sample occurs.
-  struct Inside
-  {
-    double bound;
-    double sample;
-  };
 
   double belowAtSources(const LinearPiece& piece) const;
-  Inside errorInside(
-    const LinearPiece& piece, const Deviation& onEdges, double limit, bool isTight);
-  Inside above(const LinearPiece& piece, double onEdges, double limit, bool isTight);
-  Inside search(const LinearPiece& piece, double limit, bool isTight);
+  Result above(const LinearPiece& piece, double onEdges, double limit);
+  Result search(const LinearPiece& piece, double onEdges, double limit);
   std::size_t addRow(Vec2 p, double value);
   double leastInRow(std::size_t row) const;
   double halve(const Node& node);

@@ -28,16 +28,11 @@ constexpr double AngleMargin = 1.05;
 // the longest.
 constexpr double UnequalSides = 1.9;
 
-// A face may be split this often for its shapes, and this often more for each point that errors
-// need.
-constexpr Id SplitsForShape = 16;
-constexpr Id SplitsForShapePerPoint = 4;
-
 // A new point inside keeps this fraction of half the side that it splits away from the sides of the
 // face. Else its triangles there would be thin unless the face's side gets a point, too.
 constexpr double DistanceFromSides = 0.2;
 
-// A large face takes several rounds, between which the watcher can stop.
+// A large face takes several rounds, between which triangles are counted and the watcher can stop.
 constexpr int StepsInRound = 2048;
 
 // The longest of a triangle's sides that lie on sides of the face; 3 if none does.
@@ -62,19 +57,25 @@ bool FaceRefiner::OpenPart::operator<(const OpenPart& other) const
     std::tuple(this->reason, other.urgency, this->part);
 }
 
-bool FaceRefiner::refine(FaceTriangles& face, std::uint64_t mostParts, RegionsOfPoints* regions,
-  std::vector<EdgeSplit>& requests)
+bool FaceRefiner::refine(
+  FaceTriangles& face, SourceRegions* regions, std::vector<EdgeSplit>& requests)
 {
   this->regions_ = regions;
   this->requests_ = &requests;
   this->open_ = {};
-  this->enter(face);
-  this->faces_.takePoints(face, this->check_.distance());
+  this->face_ = &face;
+  this->check_.enter(face);
+  this->leastAngle_ =
+    std::min(LeastAngle, LeastAngleFraction * smallestAngle(face.places({ 0, 1, 2 })));
+  for (std::size_t side = 0; side < 3; ++side)
+  {
+    this->faces_.takePoints(face, side, this->check_.distance());
+  }
   face.flipChanged();
   face.takeChanged();
   for (Id part = 0; part < face.numberOfParts(); ++part)
   {
-    if (face.part(part).hasPassed)
+    if (face.part(part).hasPassed())
     {
       this->assessAtBorder(part);
     }
@@ -83,7 +84,7 @@ bool FaceRefiner::refine(FaceTriangles& face, std::uint64_t mostParts, RegionsOf
       this->assess(part);
     }
   }
-  for (int step = 0; !this->open_.empty() && face.numberOfParts() <= mostParts; ++step)
+  for (int step = 0; !this->open_.empty(); ++step)
   {
     if (step == StepsInRound)
     {
@@ -108,25 +109,16 @@ bool FaceRefiner::refine(FaceTriangles& face, std::uint64_t mostParts, RegionsOf
   return true;
 }
 
-void FaceRefiner::enter(FaceTriangles& face)
-{
-  this->face_ = &face;
-  this->check_.enter(face);
-  this->leastAngle_ =
-    std::min(LeastAngle, LeastAngleFraction * smallestAngle(face.places({ 0, 1, 2 })));
-}
-
 void FaceRefiner::assess(Id part)
 {
   FaceTriangles::Part& p = this->face_->part(part);
-  const FaceCheck::Result check = this->check_.of(p.corners, false);
-  if (!check.hasPassed)
+  const FaceCheck::Result check = this->check_.of(p.corners);
+  p.bound = check.bound;
+  if (!p.hasPassed())
   {
     this->open_.push({ SplitReason::Error, check.sample, part, p.version, check.limit });
     return;
   }
-  p.hasPassed = true;
-  p.bound = check.bound;
   const double shape = this->urgencyOfShape(part);
   if (shape > 0.0)
   {
@@ -139,8 +131,8 @@ void FaceRefiner::assess(Id part)
 void FaceRefiner::assessAtBorder(Id part)
 {
   const FaceTriangles::Part& p = this->face_->parts()[part];
-  const double length = p.hasPassed && this->regions_
-    ? this->regions_->lengthAtBorder(this->face_->face(), p.corners)
+  const double length = p.hasPassed() && this->regions_
+    ? this->faces_.lengthAtBorder(this->face_->face(), p.corners, *this->regions_, this->tolerance_)
     : 0.0;
   if (length > 0.0)
   {
@@ -195,7 +187,7 @@ void FaceRefiner::mendError(const OpenPart& open)
     {
       worst = k;
       largest = deviation;
-      at = side.at();
+      at = side.at;
     }
   }
   if (worst == 3)
@@ -219,10 +211,6 @@ void FaceRefiner::mendError(const OpenPart& open)
 void FaceRefiner::mendShape(const OpenPart& open)
 {
   const FaceTriangles::Part& part = this->face_->parts()[open.part];
-  if (!this->mayImproveShape())
-  {
-    return;
-  }
   const std::array<Vec2, 3> places = this->face_->places(part.corners);
   const auto lengths = lengthsOf(places);
   const std::size_t k = longestOnSide(part, lengths);
@@ -249,21 +237,13 @@ void FaceRefiner::mendShape(const OpenPart& open)
   this->request(open, piece, isNearBegin != piece.isReversed ? weight : 1.0 - weight);
 }
 
-// Errors need all points but those that shapes alone have asked for.
-bool FaceRefiner::mayImproveShape() const
-{
-  const Id forShapes = this->face_->pointsForShapes();
-  const Id forErrors = static_cast<Id>(this->face_->points().size()) - forShapes;
-  return forShapes < SplitsForShape + SplitsForShapePerPoint * forErrors;
-}
-
 bool FaceRefiner::flipIfBoth(Id part, std::size_t k)
 {
   for (const Triangle& corners : this->face_->flipped(part, k))
   {
     if (!this->face_->isTriangle(corners) ||
       smallestAngle(this->face_->places(corners)) < this->leastAngle_ ||
-      !this->check_.of(corners, false).hasPassed)
+      !(this->check_.of(corners).bound < Infinity))
     {
       return false;
     }
@@ -316,7 +296,6 @@ void FaceRefiner::splitInside(const OpenPart& open, Id part, std::size_t k, doub
   point.here = point.distance;
   point.parents = { a, b };
   point.weight = weight;
-  point.isForShape = open.reason == SplitReason::Shape;
   this->face_->split(part, k, this->face_->addPoint(point));
   this->face_->flipChanged();
 }
@@ -333,7 +312,10 @@ bool FaceRefiner::asksBeside(const OpenPart& open, const FaceTriangles::Point& p
   {
     if (point.weights[(side + 2) % 3] * shape.area2 / shape.length[side] < away)
     {
-      const PieceOfEdge piece = this->faces_.pieceAt(*this->face_, side, point.place);
+      const Vec2 begin = this->face_->points()[side].place;
+      const Vec2 along = this->face_->points()[(side + 1) % 3].place - begin;
+      const double way = dot(along, point.place - begin) / dot(along, along);
+      const PieceOfEdge piece = this->faces_.pieceAt(*this->face_, side, way);
       const double lengthOfPiece = this->faces_.edges.lengthOfPiece(piece.edge, piece.piece);
       if (lengthOfPiece > longest)
       {
@@ -353,7 +335,7 @@ bool FaceRefiner::asksBeside(const OpenPart& open, const FaceTriangles::Point& p
 void FaceRefiner::request(const OpenPart& open, const PieceOfEdge& piece, double weight)
 {
   this->requests_->push_back({ piece.edge, piece.piece, open.reason, open.urgency, weight });
-  this->face_->part(open.part).hasPassed = false; // assessed anew with the point
+  this->face_->part(open.part).bound = Infinity; // assessed anew with the point
 }
 
 }

@@ -3,9 +3,8 @@
 #define geodesic_FaceRefiner_h
 
 #include "refinement/FaceCheck.h"
-#include "refinement/RegionsOfPoints.h"
+#include "refinement/RefinedFaces.h"
 
-#include <cstdint>
 #include <queue>
 #include <vector>
 
@@ -25,16 +24,15 @@ public:
   /// \param faces must outlive this. Their edges do not change while faces are refined.
   FaceRefiner(const RefinedFaces& faces, double tolerance)
     : faces_(faces)
+    , tolerance_(tolerance)
     , check_(faces, tolerance)
   {
   }
 
-  /// \param mostParts refinement stops when the face has more.
   /// \param regions null: borders of regions do not count.
   /// \param requests are appended.
   /// \returns whether the face has done what it can without new points on edges.
-  bool refine(FaceTriangles& face, std::uint64_t mostParts, RegionsOfPoints* regions,
-    std::vector<EdgeSplit>& requests);
+  bool refine(FaceTriangles& face, SourceRegions* regions, std::vector<EdgeSplit>& requests);
 
 private:
   struct OpenPart
@@ -47,7 +45,6 @@ private:
 
     bool operator<(const OpenPart& other) const;
   };
-  void enter(FaceTriangles& face);
   void assess(Id part);
   void assessAtBorder(Id part);
   double urgencyOfShape(Id part) const;
@@ -59,15 +56,15 @@ private:
   void splitInside(const OpenPart& open, Id part, std::size_t side, double weight);
   bool asksBeside(const OpenPart& open, const FaceTriangles::Point& point, double length);
   void request(const OpenPart& open, const PieceOfEdge& piece, double weight);
-  bool mayImproveShape() const;
 
   const RefinedFaces& faces_;
+  double tolerance_;
   FaceCheck check_;
 
   // The face that is refined.
   FaceTriangles* face_ = nullptr;
   double leastAngle_ = 0.0;
-  RegionsOfPoints* regions_ = nullptr;
+  SourceRegions* regions_ = nullptr;
   std::vector<EdgeSplit>* requests_ = nullptr;
   std::priority_queue<OpenPart> open_;
 };

@@ -54,11 +54,6 @@ bool FaceTriangles::isTriangle(const Triangle& c) const
 Id FaceTriangles::addPoint(const Point& point)
 {
   this->points_.push_back(point);
-  for (std::size_t side = 0; side < 3; ++side)
-  {
-    this->pointsOn_[side] += (point.sides >> side) & 1U;
-  }
-  this->pointsForShapes_ += point.isForShape ? 1 : 0;
   return static_cast<Id>(this->points_.size()) - 1;
 }
 
@@ -66,7 +61,7 @@ void FaceTriangles::change(Id part)
 {
   Part& p = this->parts_[part];
   ++p.version;
-  p.hasPassed = false;
+  p.bound = Infinity;
   this->changed_.push_back(part);
 }
 

@@ -36,8 +36,6 @@ public:
     double weight = 0.0;
     /// A bit for each of the face's sides on which it lies.
     std::uint8_t sides = 0;
-    /// Whether shapes alone have asked for it.
-    bool isForShape = false;
   };
 
   struct Part
@@ -45,13 +43,13 @@ public:
     Triangle corners;
     /// The triangle across the side from corner k to corner k + 1; NoId on a side of the face.
     std::array<Id, 3> across = { NoId, NoId, NoId };
-    /// Whether it is within the tolerance and has no need of a point on an edge, as far as is
-    /// known.
-    bool hasPassed = false;
-    /// Certified, if it has passed: the difference to the distance is nowhere larger.
-    double bound = 0.0;
+    /// Certified: the difference to the distance is nowhere larger. Infinite until the triangle has
+    /// been found to be within the tolerance, and while it waits for a point on an edge.
+    double bound = Infinity;
     /// How often it has changed.
     Id version = 0;
+
+    bool hasPassed() const { return this->bound < Infinity; }
   };
 
   /// A side of the face as an edge of the input (CutEdges), which may run the other way.
@@ -79,12 +77,13 @@ public:
   }
 
   const Side& side(std::size_t side) const { return this->sides_[side]; }
-  /// The number of points on a side, without its ends.
-  Id pointsOn(std::size_t side) const { return this->pointsOn_[side]; }
-  /// The number of points that shapes alone have asked for.
-  Id pointsForShapes() const { return this->pointsForShapes_; }
   /// The side of the face on which both points lie; 3 if there is none.
   std::size_t sideWith(Id a, Id b) const;
+  /// The fraction of the way along a side at a point on it.
+  double wayAlong(std::size_t side, Id point) const
+  {
+    return this->points_[point].weights[(side + 1) % 3];
+  }
   /// Whether the triangle has the face's orientation, by more than rounding. Points of one side of
   /// the face are none, whatever rounding says.
   bool isTriangle(const Triangle& corners) const;
@@ -112,8 +111,6 @@ private:
   std::vector<Point> points_;
   std::vector<Part> parts_;
   std::array<Side, 3> sides_;
-  std::array<Id, 3> pointsOn_{};
-  Id pointsForShapes_ = 0;
   std::vector<Id> changed_;
 };
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/RefinedFaces.h"
 
+#include "Tolerance.h"
+#include "refinement/TriangleShape.h"
+
 #include <algorithm>
+#include <utility>
 
 namespace geodesic
 {
@@ -10,18 +14,36 @@ RefinedFaces::RefinedFaces(const DistanceField& refined, const Job& job)
   : field(refined)
   , edges(refined.mesh())
   , ofFace_(refined.mesh().numberOfFaces(), NoId)
-  , isFrozen_(refined.mesh().numberOfFaces())
+  , isRefined_(refined.mesh().numberOfFaces(), 1)
 {
-  job.part(0.0, 0.0).loop(this->isFrozen_.size(),
+  const MeshPartition& surface = refined.surface();
+  const Id first = surface.firstOwnFace();
+  const Id end = surface.endOfOwnFaces();
+  job.part(0.0, 0.0).loop(end - first,
     [&](std::size_t i)
     {
-      const Id face = static_cast<Id>(i);
+      const Id face = first + static_cast<Id>(i);
       const Triangle& corners = refined.mesh().triangle(face);
-      const bool isRefined = refined.surface().isOwn(face) && refined.knowsInside(face) &&
-        !refined.isCovered(face) &&
+      const bool isRefined = refined.knowsInside(face) && !refined.isCovered(face) &&
         std::all_of(corners.begin(), corners.end(),
           [&](Id corner) { return refined.vertexDistances()[corner] < Infinity; });
-      this->isFrozen_[face] = isRefined ? 0 : 1;
+      this->isRefined_[face] = isRefined ? 1 : 0;
+    });
+  // Ranks that have a copy of a face have one of its vertices.
+  std::vector<Message> messages = surface.exchange().noMessages();
+  for (Id face = first; face < end; ++face)
+  {
+    for (std::size_t k = 0; k < 3 && !this->isRefined(face); ++k)
+    {
+      for (const RankAddress& other : surface.othersWith(surface.mesh().triangle(face)[k]))
+      {
+        put(messages[rankIndex(other.rank)], face);
+      }
+    }
+  }
+  readEach(surface.exchange().step(std::move(messages)),
+    [&](int rank, MessageReader& reader) {
+      this->isRefined_[surface.copyOf({ rank, reader.get<Id>() })] = 0;
     });
 }
 
@@ -56,16 +78,7 @@ FaceTriangles::Point RefinedFaces::pointOnEdge(
   point.here = distance.isExact() ? on.distance : distance.distance(point.place);
   point.number = number;
   point.sides = static_cast<std::uint8_t>(1U << side);
-  point.isForShape = on.isForShape;
   return point;
-}
-
-void RefinedFaces::takePoints(FaceTriangles& face, const FaceDistance& distance) const
-{
-  for (std::size_t side = 0; side < 3; ++side)
-  {
-    this->takePoints(face, side, distance);
-  }
 }
 
 // From one corner of the side to the next. A part keeps the half that begins first, so the rest of
@@ -73,21 +86,11 @@ void RefinedFaces::takePoints(FaceTriangles& face, const FaceDistance& distance)
 void RefinedFaces::takePoints(
   FaceTriangles& face, std::size_t side, const FaceDistance& distance) const
 {
-  std::vector<Id> numbers = this->edges[face.side(side).edge].points;
-  if (face.pointsOn(side) == numbers.size())
-  {
-    return;
-  }
-  if (face.side(side).isReversed)
-  {
-    std::reverse(numbers.begin(), numbers.end());
-  }
   struct Piece
   {
-    Id from; // the number of the point where it begins
     Id part;
     std::size_t k;
-    bool operator<(const Piece& other) const { return this->from < other.from; }
+    Id begin;
   };
   std::vector<Piece> pieces;
   for (Id part = 0; part < face.numberOfParts(); ++part)
@@ -97,52 +100,74 @@ void RefinedFaces::takePoints(
     {
       if (p.across[k] == NoId && face.sideWith(p.corners[k], p.corners[(k + 1) % 3]) == side)
       {
-        pieces.push_back({ face.points()[p.corners[k]].number, part, k });
+        pieces.push_back({ part, k, p.corners[k] });
       }
     }
   }
-  std::sort(pieces.begin(), pieces.end());
-  const auto find = [&pieces](Id number) {
-    return std::lower_bound(pieces.begin(), pieces.end(), Piece{ number, 0, 0 });
-  };
-  Piece last = *find(face.points()[side].number);
+  std::vector<Id> numbers = this->edges[face.side(side).edge].points;
+  if (pieces.size() == numbers.size() + 1)
+  {
+    return;
+  }
+  std::sort(pieces.begin(), pieces.end(),
+    [&](const Piece& a, const Piece& b)
+    { return face.wayAlong(side, a.begin) < face.wayAlong(side, b.begin); });
+  if (face.side(side).isReversed)
+  {
+    std::reverse(numbers.begin(), numbers.end());
+  }
+  auto piece = pieces.begin();
+  Id rest = piece->part;
   for (const Id number : numbers)
   {
-    const auto found = find(number);
-    if (found != pieces.end() && found->from == number)
+    const auto next = piece + 1;
+    if (next != pieces.end() && face.points()[next->begin].number == number)
     {
-      last = *found;
+      piece = next;
+      rest = piece->part;
       continue;
     }
-    const Id point = face.addPoint(this->pointOnEdge(side, number, distance));
-    last.part = face.split(last.part, last.k, point);
+    rest = face.split(rest, piece->k, face.addPoint(this->pointOnEdge(side, number, distance)));
   }
 }
 
-PieceOfEdge RefinedFaces::pieceBetween(const FaceTriangles& face, Id a, Id b) const
+double RefinedFaces::lengthAtBorder(
+  Id face, const Triangle& corners, SourceRegions& regions, double tolerance) const
 {
-  const std::size_t side = face.sideWith(a, b);
-  const auto [edge, isReversed] = face.side(side);
-  const auto alongEdge = [&, isReversed = isReversed](Id point)
+  struct Corner
   {
-    const Id number = face.points()[point].number;
-    return !this->edges.isVertex(number) ? this->edges.point(number).at
-      : (point == side) != isReversed    ? 0.0
-                                         : 1.0;
+    SourceRegion region;
+    double distance;
+    Vec2 place;
   };
-  const double fromA = alongEdge(a);
-  const double fromB = alongEdge(b);
-  return { edge, this->edges.pieceFrom(edge, std::min(fromA, fromB)), fromB < fromA };
-}
-
-PieceOfEdge RefinedFaces::pieceAt(const FaceTriangles& face, std::size_t side, Vec2 place) const
-{
-  const Vec2 begin = face.points()[side].place;
-  const Vec2 along = face.points()[(side + 1) % 3].place - begin;
-  const double way = std::clamp(dot(along, place - begin) / dot(along, along), 0.0, 1.0);
-  const auto [edge, isReversed] = face.side(side);
-  const Id piece = this->edges.pieceFrom(edge, isReversed ? 1.0 - way : way);
-  return { edge, std::min(piece, this->edges[edge].numberOfPieces() - 1), isReversed };
+  const auto cornerOf = [&](Id point) -> Corner
+  {
+    if (this->isOpen(face))
+    {
+      const FaceTriangles& open = this->triangles(face);
+      const FaceTriangles::Point& p = open.points()[point];
+      const SurfacePoint on =
+        p.number == NoId ? open.placeOf(point) : this->edges.placeOf(p.number);
+      return { regions.at(on), p.distance, p.place };
+    }
+    const SurfacePoint on = this->edges.placeOf(point);
+    return { regions.at(on), this->edges.distanceOf(point, this->field.vertexDistances()),
+      inHalfedgeFrame(this->field.mesh(), longestHalfedge(this->field.mesh(), face), on) };
+  };
+  const std::array<Corner, 3> c = { cornerOf(corners[0]), cornerOf(corners[1]),
+    cornerOf(corners[2]) };
+  const auto isBorder = [](const Corner& a, const Corner& b)
+  {
+    // Where a straight line crosses the curve between its sides, there is no border. Both ends are
+    // then nearer to the crossing than to each other.
+    return a.region.source != b.region.source ||
+      (a.region.isRight != b.region.isRight &&
+        a.distance + b.distance > (1.0 + tolerance::Tie) * norm(b.place - a.place));
+  };
+  const double longest = longestEdge({ c[0].place, c[1].place, c[2].place });
+  const bool isSplit =
+    longest > tolerance && (isBorder(c[0], c[1]) || isBorder(c[1], c[2]) || isBorder(c[2], c[0]));
+  return isSplit ? longest : 0.0;
 }
 
 }

@@ -8,9 +8,14 @@ namespace geodesic
 
 SourceRegion SourceRegions::at(const SurfacePoint& point)
 {
-  return point.kind == SurfacePoint::Kind::Vertex
-    ? this->of(this->nearest_.atVertex(point.id))
-    : this->of(this->nearest_.of(incomingSegmentTo(this->field_, point)));
+  const auto [found, isNew] = this->known_.try_emplace(point.members());
+  if (isNew)
+  {
+    found->second = point.kind == SurfacePoint::Kind::Vertex
+      ? this->of(this->nearest_.atVertex(point.id))
+      : this->of(this->nearest_.of(incomingSegmentTo(this->field_, point)));
+  }
+  return found->second;
 }
 
 SourceRegion SourceRegions::of(const Foot& foot) const

@@ -7,6 +7,8 @@
 #include "source/SourceCurve.h"
 
 #include <cstdint>
+#include <map>
+#include <tuple>
 #include <vector>
 
 namespace geodesic
@@ -45,7 +47,7 @@ public:
   }
 
   /// The region of a point of this rank's faces. Points that are not vertices must lie in faces
-  /// with windows.
+  /// with windows. Each is looked up once.
   SourceRegion at(const SurfacePoint& point);
 
   /// For each face that this rank owns, whether its corners lie in several regions; 0 for others.
@@ -58,6 +60,7 @@ private:
   NearestSource& nearest_;
   const std::vector<SourceCurve>& curves_;
   bool bySides_;
+  std::map<std::tuple<SurfacePoint::Kind, Id, double, double>, SourceRegion> known_;
 };
 
 }

@@ -22,11 +22,6 @@ struct SentSplit
   EdgeSplit split;
 };
 
-bool isSamePiece(const EdgeSplit& a, const EdgeSplit& b)
-{
-  return a.edge == b.edge && a.piece == b.piece;
-}
-
 // The most urgent request for each piece, by edges and pieces. The last pieces of an edge come
 // first, as splits change the numbers of those behind them.
 void keepMostUrgent(std::vector<EdgeSplit>& requests)
@@ -37,86 +32,61 @@ void keepMostUrgent(std::vector<EdgeSplit>& requests)
       return std::tuple(a.edge, b.piece, a.reason, b.urgency, a.weight) <
         std::tuple(b.edge, a.piece, b.reason, a.urgency, b.weight);
     });
+  const auto isSamePiece = [](const EdgeSplit& a, const EdgeSplit& b)
+  { return a.edge == b.edge && a.piece == b.piece; };
   requests.erase(std::unique(requests.begin(), requests.end(), isSamePiece), requests.end());
 }
 
-// Each rank tells those that have a copy of a frozen face: those that have one of its vertices.
-std::vector<std::uint8_t> frozenOnAnyRank(const RefinedFaces& faces)
-{
-  const MeshPartition& surface = faces.field.surface();
-  std::vector<std::uint8_t> isFrozen(surface.mesh().numberOfFaces(), 0);
-  std::vector<Message> messages = surface.exchange().noMessages();
-  for (Id face = surface.firstOwnFace(); face < surface.endOfOwnFaces(); ++face)
-  {
-    isFrozen[face] = faces.isFrozen(face) ? 1 : 0;
-    for (std::size_t k = 0; k < 3 && isFrozen[face] != 0; ++k)
-    {
-      for (const RankAddress& other : surface.othersWith(surface.mesh().triangle(face)[k]))
-      {
-        put(messages[rankIndex(other.rank)], face);
-      }
-    }
-  }
-  readEach(surface.exchange().step(std::move(messages)),
-    [&](int rank, MessageReader& reader) {
-      isFrozen[surface.copyOf({ rank, reader.get<Id>() })] = 1;
-    });
-  return isFrozen;
-}
-
 } // anonymous namespace
-
-SplitsOfEdges::SplitsOfEdges(RefinedFaces& faces, double tolerance, const Job& job)
-  : faces_(faces)
-  , edges_(faces.edges)
-  , isFrozen_(frozenOnAnyRank(faces))
-  , tolerance_(tolerance)
-  , job_(job)
-{
-}
 
 // Runs item(splitter, i) for i below the count.
 template <typename Item>
 void SplitsOfEdges::run(std::size_t count, const Item& item)
 {
-  this->job_.loopByTasks(
-    count,
-    [this](std::size_t tasks)
+  this->job_.loopByTasks(count,
+    [&](std::size_t task, std::size_t i)
     {
-      while (this->splitters_.size() < tasks)
+      std::unique_ptr<EdgeSplitter>& splitter = this->splitters_[task];
+      if (!splitter)
       {
-        this->splitters_.push_back(std::make_unique<EdgeSplitter>(this->faces_, this->tolerance_));
+        splitter = std::make_unique<EdgeSplitter>(this->faces_, this->tolerance_);
       }
-    },
-    [&](std::size_t task, std::size_t i) { item(*this->splitters_[task], i); });
+      item(*splitter, i);
+    });
 }
 
 std::vector<EdgeSplit> SplitsOfEdges::measureNew()
 {
-  std::vector<Id> unknown;
-  for (Id edge = this->measured_; edge < this->edges_.size(); ++edge)
+  std::vector<Id> edges;
+  for (; this->measured_ < this->edges_.size(); ++this->measured_)
   {
-    if (!this->edges_[edge].pieces.front().isKnown())
-    {
-      unknown.push_back(edge);
-    }
+    edges.push_back(this->measured_);
   }
-  this->measured_ = this->edges_.size();
-  std::vector<EdgeCuts> cuts(unknown.size());
-  this->run(unknown.size(),
+  for (; this->measuredPoints_ < this->edges_.points().size(); ++this->measuredPoints_)
+  {
+    edges.push_back(this->edges_.points()[this->measuredPoints_].edge);
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::vector<EdgeCuts> cuts(edges.size());
+  this->run(edges.size(),
     [&](EdgeSplitter& splitter, std::size_t i)
     {
-      this->edges_[unknown[i]].pieces = splitter.measure(unknown[i]);
-      cuts[i] = splitter.fewestCuts(unknown[i]);
+      CutEdge& edge = this->edges_[edges[i]];
+      edge.pieces = splitter.measure(edges[i]);
+      if (edge.points.empty())
+      {
+        cuts[i] = splitter.fewestCuts(edges[i]);
+      }
     });
   std::vector<EdgeSplit> requests;
-  for (std::size_t i = 0; i < unknown.size(); ++i)
+  for (std::size_t i = 0; i < edges.size(); ++i)
   {
     if (!cuts[i].splits.empty())
     {
-      const double deviation = this->edges_[unknown[i]].pieces.front().largest();
-      requests.push_back({ unknown[i], 0, SplitReason::Error, deviation, 0.5 });
-      this->fewest_.emplace(unknown[i], std::move(cuts[i]));
+      const double deviation = this->edges_[edges[i]].pieces.front().largest();
+      requests.push_back({ edges[i], 0, SplitReason::Error, deviation, 0.5 });
+      this->fewest_.emplace(edges[i], std::move(cuts[i]));
     }
   }
   return requests;
@@ -124,7 +94,6 @@ std::vector<EdgeSplit> SplitsOfEdges::measureNew()
 
 void SplitsOfEdges::split(std::vector<EdgeSplit> requests)
 {
-  keepMostUrgent(requests);
   std::vector<Message> messages = this->faces_.field.surface().exchange().noMessages();
   for (const EdgeSplit& request : requests)
   {
@@ -149,9 +118,7 @@ void SplitsOfEdges::split(std::vector<EdgeSplit> requests)
         this->decide(splitter, { requests.data() + first[i], requests.data() + first[i + 1] });
     });
   this->fewest_.clear();
-  const std::size_t before = this->edges_.points().size();
   this->cut(cuts);
-  this->measureFrom(before);
 }
 
 // The rank of the first face there that is refined, from that of CutEdge::halfedge on: it measures
@@ -162,7 +129,7 @@ int SplitsOfEdges::deciderOf(Id edge) const
   int rank = -1;
   forEachFace(surface.mesh(), SurfacePoint::onEdge(this->edges_[edge].halfedge, 0.5),
     [&](Id face)
-    { rank = rank < 0 && this->isFrozen_[face] == 0 ? surface.addressOf(face).rank : rank; });
+    { rank = rank < 0 && this->faces_.isRefined(face) ? surface.addressOf(face).rank : rank; });
   return rank;
 }
 
@@ -237,24 +204,6 @@ void SplitsOfEdges::cut(const std::vector<EdgeCuts>& cuts)
   {
     this->edges_.split(split);
   }
-}
-
-// Measures the edges of the points from the first one on. The points of one edge are consecutive,
-// as one rank has decided about it.
-void SplitsOfEdges::measureFrom(std::size_t firstPoint)
-{
-  const std::vector<PointOnEdge>& points = this->edges_.points();
-  std::vector<Id> edges;
-  for (std::size_t i = firstPoint; i < points.size(); ++i)
-  {
-    if (edges.empty() || edges.back() != points[i].edge)
-    {
-      edges.push_back(points[i].edge);
-    }
-  }
-  this->run(edges.size(),
-    [&](EdgeSplitter& splitter, std::size_t i)
-    { this->edges_[edges[i]].pieces = splitter.measure(edges[i]); });
 }
 
 }

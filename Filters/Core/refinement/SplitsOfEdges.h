@@ -6,7 +6,7 @@
 #include "Job.h"
 #include "refinement/EdgeSplitter.h"
 
-#include <cstdint>
+#include <array>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -19,11 +19,17 @@ namespace geodesic
 class SplitsOfEdges
 {
 public:
-  /// All ranks construct this together. The faces and the job must outlive it.
-  SplitsOfEdges(RefinedFaces& faces, double tolerance, const Job& job);
+  /// The faces and the job must outlive this.
+  SplitsOfEdges(RefinedFaces& faces, double tolerance, const Job& job)
+    : faces_(faces)
+    , edges_(faces.edges)
+    , tolerance_(tolerance)
+    , job_(job)
+  {
+  }
 
-  /// Measures the edges that have been added since the last call. \returns for each one over the
-  /// tolerance a request to split it.
+  /// Measures the edges that have been added or split since the last call. \returns for each edge
+  /// without points that is over the tolerance a request to split it.
   std::vector<EdgeSplit> measureNew();
   /// Makes the splits that any rank asks for: of several for one piece, the most urgent one. An
   /// edge without points that is over the tolerance is cut into the fewest pieces at once. A
@@ -38,16 +44,16 @@ private:
   std::vector<EdgeSplit> exchange(std::vector<Message> messages);
   EdgeCuts decide(EdgeSplitter& splitter, ArrayRange<EdgeSplit> requests) const;
   void cut(const std::vector<EdgeCuts>& cuts);
-  void measureFrom(std::size_t firstPoint);
 
   RefinedFaces& faces_;
   CutEdges& edges_;
-  /// For each face of any rank, not 0 if its owner does not refine it.
-  std::vector<std::uint8_t> isFrozen_;
   double tolerance_;
   const Job& job_;
-  std::vector<std::unique_ptr<EdgeSplitter>> splitters_;
+  /// One for each task that has run.
+  std::array<std::unique_ptr<EdgeSplitter>, Job::MostTasks> splitters_;
+  /// How many edges and points have been measured.
   Id measured_ = 0;
+  std::size_t measuredPoints_ = 0;
   /// For edges over the tolerance that have just been measured.
   std::unordered_map<Id, EdgeCuts> fewest_;
 };

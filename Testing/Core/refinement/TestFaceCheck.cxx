@@ -106,7 +106,7 @@ bool hasPassed(const DistanceField& field, double tolerance)
   }
   geodesic::FaceCheck check(faces, tolerance);
   check.enter(faces.triangles(0));
-  return check.of({ 0, 1, 2 }, false).hasPassed;
+  return check.of({ 0, 1, 2 }).bound < geodesic::Infinity;
 }
 
 }

@@ -7,7 +7,6 @@
 
 #include "Errors.h"
 #include "refinement/AdaptiveRefinement.h"
-#include "refinement/RefinementRetention.h"
 #include "refinement/SolveForRefinement.h"
 
 #include <gtest/gtest.h>
@@ -184,12 +183,6 @@ protected:
     std::vector<Id> all(this->mesh_.numberOfVertices());
     std::iota(all.begin(), all.end(), Id(0));
     this->advance(all);
-  }
-
-  void passLate(Id halfedge, double nearer)
-  {
-    this->pass(halfedge, nearer);
-    this->advance({});
   }
 
   geodesic::KeptWindows finish()
@@ -402,34 +395,12 @@ TEST_F(RetentionOfAGrid, WhatWasFoundOfAListDoesNotCountForOtherCorners)
   EXPECT_EQ(kept(), mesh_.numberOfFaces());
 }
 
-TEST_F(RetentionOfAGrid, ALateListWithinTheToleranceIsHarmless)
+TEST_F(RetentionOfAGrid, ALateListTellsThatItsFaceWasDroppedTooEarly)
 {
   passAll(0.0);
   bringFrontPast();
-  passLate(0, 0.9 * Tolerance);
-  EXPECT_TRUE(retention_->missing().empty());
-  const double bound = finish().droppedErrorBound;
-  EXPECT_GE(bound, 0.9 * Tolerance);
-  EXPECT_LE(bound, Tolerance);
-}
-
-TEST_F(RetentionOfAGrid, ALateListOverTheToleranceTellsThatItsFaceWasDroppedTooEarly)
-{
-  passAll(0.0);
-  bringFrontPast();
-  passLate(0, 1.1 * Tolerance);
-  EXPECT_EQ(retention_->missing(), std::vector<Id>{ 0 });
-}
-
-// Between points of the edges, whose values are half a tolerance over the interpolant, the distance
-// of the late list is under it by as much as the list claims.
-TEST_F(RetentionOfAGrid, ALateListCountsTogetherWithWhatIsAbove)
-{
-  passAll(-0.5 * Tolerance);
-  bringFrontPast();
-  passLate(0, 0.4 * Tolerance);
-  EXPECT_TRUE(retention_->missing().empty());
-  passLate(0, 0.9 * Tolerance);
+  pass(0, 0.0);
+  advance({});
   EXPECT_EQ(retention_->missing(), std::vector<Id>{ 0 });
 }
 
@@ -486,4 +457,28 @@ TEST(KeptWindowsOfASheet, AreFewAndRefuseWhatTheyCannotTell)
   geodesic::RefinementOptions options;
   options.tolerance = 0.25;
   EXPECT_THROW(geodesic::refine(field, options), geodesic::Error);
+}
+
+// Faces without windows are cut where their neighbours split their edges.
+TEST(KeptWindowsOfASheet, TrianglesOfOtherFacesCountForTheCap)
+{
+  Random random(11);
+  const PlainMesh mesh = bumpySheet(16, 16, 0, 0.1, random);
+  const TriangleMesh engine = engineMesh(mesh);
+  const auto curves = engineCurves(engine, Sources{ { vertexPoint(mesh, 0) }, {} });
+  std::size_t cut = 0;
+  for (const double tolerance : { 0.05, 0.02, 0.01 })
+  {
+    const DistanceField field = solveFor(engine, curves, tolerance);
+    const RefinedMesh whole = refineTo(field, tolerance);
+    for (std::size_t i = 1; i < whole.faces.size(); ++i)
+    {
+      const Id face = whole.faces[i];
+      cut += face == whole.faces[i - 1] && !field.knowsInside(face) ? 1 : 0;
+    }
+    const RefinedMesh capped = refineTo(field, tolerance, whole.triangles.size() - 1);
+    EXPECT_LT(capped.triangles.size(), whole.triangles.size());
+    EXPECT_TRUE(capped.stoppedAtMaximum);
+  }
+  EXPECT_GT(cut, 0u);
 }
