@@ -205,8 +205,11 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
   // Three points, an offset and the original cell.
   constexpr auto ofIds = static_cast<vtkIdType>(5 * sizeof(vtkIdType));
   requireMemory(count + 1, ofIds + bytesATuple(from));
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(count + 1);
   vtkNew<vtkIdTypeArray> points;
   points->SetNumberOfValues(3 * count);
+  offsets->SetValue(count, 3 * count);
   const auto originals = makeArray<vtkIdTypeArray>("OriginalCellIds", count);
   const double idsWritten = from->GetNumberOfArrays() > 0 ? 0.5 : 1.0;
   job.part(0.0, idsWritten)
@@ -214,6 +217,7 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
       [&](std::size_t i)
       {
         const auto cell = static_cast<vtkIdType>(i);
+        offsets->SetValue(cell, 3 * cell);
         for (std::size_t k = 0; k < 3; ++k)
         {
           points->SetValue(3 * cell + static_cast<vtkIdType>(k), refined.triangles[i][k]);
@@ -221,7 +225,7 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
         originals->SetValue(cell, block.inputCell(refined.faces[i]));
       });
   vtkNew<vtkCellArray> triangles;
-  triangles->SetData(3, points);
+  triangles->SetData(offsets, points); // of one size alone, VTK 9.6 would make no array of offsets
   output->GetCellData()->CopyGlobalIdsOff(); // the parts of one cell would share one
   copyData(
     from, count, [&originals](vtkIdType i) { return originals->GetValue(i); },
