@@ -6,7 +6,6 @@
 #include "front/Arrival.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace geodesic
 {
@@ -268,54 +267,13 @@ void findAtVertex(const DistanceField& field, const SurfacePoint& point, LastPie
   forEachFace(field.mesh(), point, [&](Id face) { search.look(face, Kind::Corner); });
 }
 
-/// Whether a piece comes from a corner and has no length.
-bool isAtCorner(const IncomingSegment& piece)
-{
-  return piece.kind == Kind::Corner && isZero(piece.ray.vector);
-}
-
-/// Whether a piece comes from a corner, is as short as rounding, and the corner itself has a
-/// direction.
-bool isBesideCorner(const DistanceField& field, const IncomingSegment& piece)
-{
-  const auto rounding = [&]
-  {
-    const Id face = TriangleMesh::faceOf(piece.ray.halfedge);
-    return tolerance::PlaceRounding * (field.mesh().shape(face).longest() + piece.distance);
-  };
-  return piece.kind == Kind::Corner && norm(piece.ray.vector) <= rounding() &&
-    field.vertexDistances()[piece.corner] > 0.0 && field.arrivals()[piece.corner].isKnown();
-}
-
-// If vertices are at one place, but for rounding, the direction is known at the one that the paths
-// of the others come from. Vertices may also name each other.
-IncomingSegment lastPieceToVertex(const DistanceField& field, Id vertex)
-{
-  if (field.arrivals().empty())
-  {
-    throw Error("The path to a vertex was asked for, but the solve did not keep arrivals.");
-  }
-  std::vector<Id> passed;
-  for (;;)
-  {
-    const IncomingSegment piece = incomingSegmentThrough(field, SurfacePoint::atVertex(vertex));
-    passed.push_back(vertex);
-    vertex = piece.corner;
-    if (!isBesideCorner(field, piece) ||
-      std::find(passed.begin(), passed.end(), vertex) != passed.end())
-    {
-      return piece;
-    }
-  }
-}
-
 } // anonymous namespace
 
 IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint& point)
 {
   if (point.kind == SurfacePoint::Kind::Vertex)
   {
-    return lastPieceToVertex(field, point.id);
+    return incomingSegmentThrough(field, point);
   }
   LastPieceSearch search(field, point);
   bool isKnown = false;
@@ -332,7 +290,9 @@ IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint
   {
     throw Error("The path to a point was asked for, but the solve kept no windows there.");
   }
-  return isAtCorner(search.best()) ? lastPieceToVertex(field, search.best().corner) : search.best();
+  const IncomingSegment& piece = search.best();
+  const bool isAtCorner = piece.kind == Kind::Corner && isZero(piece.ray.vector);
+  return isAtCorner ? incomingSegmentThrough(field, SurfacePoint::atVertex(piece.corner)) : piece;
 }
 
 IncomingSegment incomingSegmentThrough(const DistanceField& field, const SurfacePoint& point)
@@ -340,6 +300,10 @@ IncomingSegment incomingSegmentThrough(const DistanceField& field, const Surface
   LastPieceSearch search(field, point);
   if (point.kind == SurfacePoint::Kind::Vertex)
   {
+    if (field.arrivals().empty())
+    {
+      throw Error("The path to a vertex was asked for, but the solve did not keep arrivals.");
+    }
     findAtVertex(field, point, search);
     return search.best();
   }
