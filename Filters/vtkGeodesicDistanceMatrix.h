@@ -13,9 +13,9 @@
  * of targets near the source the rest of the surface costs nothing. Sources are solved side by side
  * on the threads that vtkSMPTools is set to use, one thread a source, each of which takes the
  * memory of one solve. Where fronts from the targets are fewer, and go less far by an estimate,
- * they go out from there: 3 targets of 500 sources take 3 solves. With targets that are points the
- * sources must be points, too, for that. If sets of targets (TargetIdArrayName) are the sources
- * themselves, the table is symmetric, and one of each two is solved.
+ * they go out from there: 3 targets of 500 sources take 3 solves. If sets of targets
+ * (TargetIdArrayName) are the sources themselves, the table is symmetric, and one of each two is
+ * solved.
  *
  * @par Input:
  * Port 0 takes the surface, port 1 the sources: see vtkGeodesicAlgorithm. Each part of port 1 that

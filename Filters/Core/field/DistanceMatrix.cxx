@@ -124,23 +124,6 @@ bool isLessFromTargets(const TriangleMesh& mesh, const CurveSets& sources, const
   return workOf(fromTargets, maximumDistance) < workOf(fromSources, maximumDistance);
 }
 
-bool areAllPoints(const std::vector<SourceCurve>& curves)
-{
-  return std::all_of(curves.begin(), curves.end(),
-    [](const SourceCurve& curve)
-    { return curve.points.size() == 1 && curve.coveredFaces.empty(); });
-}
-
-CurveSets setsOfPoints(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points)
-{
-  CurveSets sets;
-  for (const SurfacePoint& point : points)
-  {
-    sets.push_back({ pointCurve(normalized(mesh, point)) });
-  }
-  return sets;
-}
-
 /// The sets from outside to the middle, so that those left lie ever closer together.
 std::vector<std::size_t> fromOutside(const Places& sets)
 {
@@ -176,20 +159,14 @@ CurveSets setsOf(const std::vector<SourceCurve>& curves, std::size_t count)
   return sets;
 }
 
-std::vector<std::vector<double>> distanceMatrix(const TriangleMesh& mesh,
-  const std::vector<SourceCurve>& curves, Id numberOfSources,
-  const std::vector<SurfacePoint>& targets, double maximumDistance, const Job& job)
+CurveSets setsOf(const std::vector<SurfacePoint>& points)
 {
-  const CurveSets sources = setsOf(curves, numberOfSources);
-  if (areAllPoints(curves) && targets.size() < sources.size())
+  CurveSets sets;
+  for (const SurfacePoint& point : points)
   {
-    const CurveSets sets = setsOfPoints(mesh, targets);
-    if (isLessFromTargets(mesh, sources, sets, maximumDistance, job))
-    {
-      return matrixFromTargets(mesh, sources, sets, maximumDistance, job);
-    }
+    sets.push_back({ pointCurve(point) });
   }
-  return matrixFrom(sources, TargetSets(mesh, targets), maximumDistance, job);
+  return sets;
 }
 
 std::vector<std::vector<double>> distanceMatrix(const TriangleMesh& mesh, const CurveSets& sources,

@@ -34,15 +34,6 @@ std::vector<std::uint8_t> facesAt(const TriangleMesh& mesh, const std::vector<So
 
 } // anonymous namespace
 
-TargetSets::TargetSets(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points)
-  : mesh_(mesh)
-  , size_(points.size())
-  , points_(points)
-  , setOfPoint_(points.size())
-{
-  std::iota(this->setOfPoint_.begin(), this->setOfPoint_.end(), Id{ 0 });
-}
-
 TargetSets::TargetSets(const TriangleMesh& mesh, const CurveSets& sets)
   : mesh_(mesh)
   , size_(sets.size())

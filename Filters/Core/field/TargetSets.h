@@ -21,8 +21,6 @@ using CurveSets = std::vector<std::vector<SourceCurve>>;
 class TargetSets
 {
 public:
-  /// Makes a set of each point.
-  TargetSets(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points);
   /// \param mesh must outlive this.
   TargetSets(const TriangleMesh& mesh, const CurveSets& sets);
 
