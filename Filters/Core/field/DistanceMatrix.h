@@ -2,17 +2,23 @@
 #ifndef geodesic_DistanceMatrix_h
 #define geodesic_DistanceMatrix_h
 
-#include "field/TargetSets.h"
+#include "Job.h"
+#include "mesh/SurfacePoint.h"
+#include "source/SourceCurve.h"
 
 #include <vector>
 
 namespace geodesic
 {
 
-/// Computes the distance from each of several sources, each source alone, to each target (see
-/// TargetSets). Sources are solved side by side on one mesh structure, each in one thread; a solve
-/// stops when its targets are settled. The distances are those of the source's field, to the last
-/// bit.
+/// Curves, points and regions in sets, each of which is one source, or one target.
+using CurveSets = std::vector<std::vector<SourceCurve>>;
+
+/// Computes the distance from each of several sources, each source alone, to each target: the least
+/// one of its points, along its lines and along the outlines of its regions; 0 if the source has a
+/// point in one of these. Sources are solved side by side on one mesh structure, each in one
+/// thread; a solve stops when its targets are settled. The distances are those of the source's
+/// field, to the last bit.
 ///
 /// If targets are fewer than sources, and fronts from the targets have less work by an estimate,
 /// each target is solved instead until the sources are settled: the same distances up to rounding,
