@@ -149,13 +149,10 @@ std::vector<std::vector<double>> Solve(const Inputs& inputs, double maximumDista
   {
     return distancesBetween(mesh, setsOf(sources.curves, count), maximumDistance, job);
   }
-  if (const Sources* sets = inputs.setsOfTargets())
-  {
-    return distanceMatrix(mesh, setsOf(sources.curves, count),
-      setsOf(sets->curves, sets->ids.size()), maximumDistance, job);
-  }
-  return distanceMatrix(
-    mesh, sources.curves, static_cast<Id>(count), inputs.targets.places, maximumDistance, job);
+  const Sources* sets = inputs.setsOfTargets();
+  const CurveSets targets =
+    sets != nullptr ? setsOf(sets->curves, sets->ids.size()) : setsOf(inputs.targets.places);
+  return distanceMatrix(mesh, setsOf(sources.curves, count), targets, maximumDistance, job);
 }
 
 /// \param maximumDistance in the units of the surface; 0: no limit.

@@ -12,8 +12,7 @@
  * For each source a front goes out (see vtkGeodesicDistanceField), until all targets are settled.
  * Sources are solved side by side on the threads that vtkSMPTools is set to use, one thread a
  * source, each of which takes the memory of one solve. Where fronts from the targets are fewer, and
- * go less far by an estimate, they go out from there: 3 targets of 500 sources take 3 solves. With
- * targets that are points the sources must be points, too, for that.
+ * go less far by an estimate, they go out from there: 3 targets of 500 sources take 3 solves.
  *
  * @par Input:
  * Port 0 takes the surface, port 1 the sources: see vtkGeodesicAlgorithm. Each part of port 1 that

@@ -2,10 +2,10 @@
 #include "contours/FaceIsolines.h"
 
 #include "Tolerance.h"
-#include "contours/Chords.h"
-#include "field/SegmentEnvelope.h"
+#include "Trigonometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -20,46 +20,16 @@ using Remainder = LevelArrangement::Remainder;
 
 constexpr std::size_t None = static_cast<std::size_t>(-1);
 
-// How often a face may be cut in four. Smaller parts, of a millionth of its size, are crossed
-// straight.
-constexpr int MaximumDepth = 20;
-// And into how many parts in all. Rounding decides at few points.
-constexpr std::size_t MaximumParts = 4096;
-
-/// The face or a part of it.
-struct FacePart
-{
-  std::array<Vec2, 3> corners;
-  std::vector<OutlinePoint> outline;
-  /// Whether corner 0 is below the level.
-  bool below;
-  int depth;
-};
-
-/// Adds points to the outline of a part, seen from the same side of their edge or from the other.
-void addTo(std::vector<OutlinePoint>& outline, std::size_t edge, std::vector<OutlinePoint> points,
-  bool isOtherSide = false)
-{
-  if (isOtherSide)
-  {
-    std::reverse(points.begin(), points.end());
-  }
-  for (OutlinePoint& point : points)
-  {
-    outline.push_back({ point.at, point.id, edge, point.leaves != isOtherSide });
-  }
-}
-
-/// Joins the ends of remainders and the points of a part's outline to lines. Remainders are
+/// Joins the ends of remainders and the points of a face's outline to lines. Remainders are
 /// numbered first, the points of the outline behind them.
 class EndJoiner
 {
 public:
-  EndJoiner(const FaceLevel& level, const FacePart& part, const std::vector<Remainder>& remainders,
-    const Job& job)
+  EndJoiner(const FaceLevel& level, const std::vector<OutlinePoint>& outline,
+    const std::vector<Remainder>& remainders, const Job& job)
     : level_(level)
     , job_(job)
-    , next_(remainders.size() + part.outline.size(), None)
+    , next_(remainders.size() + outline.size(), None)
   {
     this->from_.reserve(this->next_.size());
     this->to_.reserve(this->next_.size());
@@ -69,7 +39,7 @@ public:
       this->from_.push_back({ r.curve->at(r.end), owner });
       this->to_.push_back({ r.curve->at(r.begin), owner++ });
     }
-    for (const OutlinePoint& p : part.outline)
+    for (const OutlinePoint& p : outline)
     {
       (p.leaves ? this->to_ : this->from_).push_back({ p.at, owner++ });
     }
@@ -157,105 +127,147 @@ private:
   std::vector<std::size_t> next_;
 };
 
-/// Draws one face, whole or in parts.
+/// A point of a line: where parts of level curves meet, or one inside an arc.
+struct LinePoint
+{
+  Vec2 at;
+  /// NoId for a new one.
+  Id id = NoId;
+  /// The largest distance of the line from its chord, between this point and the next one.
+  double sagitta = 0.0;
+};
+using Line = std::vector<LinePoint>;
+
+// The largest angle of a chord, so that a circle looks like one, and the tangent of its half.
+constexpr double LargestStep = Pi / 6.0;
+constexpr double TangentOfHalfStep = 0.2679491924311227; // 2 - sqrt(3)
+
+/// The distance of an arc from its chord.
+///
+/// \param halfTangent the tangent of half the arc's angle.
+double sagittaOf(double radius, double halfTangent)
+{
+  const double squared = halfTangent * halfTangent;
+  const double root = std::sqrt(1.0 + squared);
+  return radius * squared / (root * (1.0 + root));
+}
+
+// The angle of a chord within the tolerance. Points are at the value only up to a tie, so that no
+// chord need be nearer to its arc.
+double angleOfChord(double radius, double chordTolerance)
+{
+  const double sagitta = std::clamp(chordTolerance / radius, tolerance::Tie, 1.0);
+  return std::min(LargestStep, 4.0 * arcSine(std::sqrt(0.5 * sagitta)));
+}
+
+// Adds the points of an arc between its ends. Most arcs are one chord.
+void followArc(const Remainder& arc, double chordTolerance, Line& line)
+{
+  const double radius = arc.curve->radius;
+  const double halfTangent = (arc.end - arc.begin) / (1.0 + arc.end * arc.begin);
+  line.back().sagitta = sagittaOf(radius, halfTangent);
+  if (line.back().sagitta <= chordTolerance && halfTangent <= TangentOfHalfStep)
+  {
+    return;
+  }
+  const double first = 2.0 * polarAngle({ 1.0, arc.begin });
+  const double angle = 2.0 * polarAngle({ 1.0, halfTangent });
+  const double chords = std::max(1.0, std::ceil(angle / angleOfChord(radius, chordTolerance)));
+  const double sagitta = sagittaOf(radius, tangent(0.5 * angle / chords));
+  line.back().sagitta = sagitta;
+  const auto count = static_cast<std::size_t>(chords);
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    const double parameter = tangent(0.5 * (first + static_cast<double>(i) / chords * angle));
+    line.push_back({ arc.curve->at(parameter), NoId, sagitta });
+  }
+}
+
+/// Adds the points of a remainder to the end of a line, of an arc so many that no chord is farther
+/// from the arc than the tolerance.
+void follow(const Remainder& remainder, double chordTolerance, Line& line)
+{
+  if (remainder.curve->isArc)
+  {
+    followArc(remainder, chordTolerance, line);
+  }
+  line.push_back({ remainder.curve->at(remainder.end) });
+}
+
+/// The end of the longest chord from a point that is near enough to all of the line below it.
+std::size_t chordFrom(std::size_t first, const Line& line, double chordTolerance)
+{
+  const auto isNear = [&](std::size_t end)
+  {
+    const Vec2 chord = line[end].at - line[first].at;
+    const double squared = dot(chord, chord);
+    for (std::size_t i = first + 1; i < end; ++i)
+    {
+      const Vec2 p = line[i].at - line[first].at;
+      const double t = squared > 0.0 ? std::clamp(dot(p, chord) / squared, 0.0, 1.0) : 0.0;
+      const double sagitta = std::max(line[i - 1].sagitta, line[i].sagitta);
+      if (!(norm(p - t * chord) + sagitta <= chordTolerance))
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  std::size_t end = first + 1;
+  while (end + 1 < line.size() && isNear(end + 1))
+  {
+    ++end;
+  }
+  return end;
+}
+
+/// Draws one face.
 class FaceDrawing
 {
 public:
   const FaceLevel& level;
   Id valueId;
+  const std::vector<OutlinePoint>& outline;
+  /// Whether corner 0 is below the level.
+  bool below;
   IsolineTask& task;
-  /// How many there are.
-  std::size_t numberOfParts = 1;
 
-  /// Draws the part without cutting it. Returns whether that was possible.
-  bool drawAtOnce(const FacePart& part)
+  /// Draws the lines by the task's arrangement. Returns whether that was possible.
+  bool draw()
   {
-    if (part.outline.empty() && part.below &&
-      this->task.arrangement.isWithinOneRegion(part.corners))
+    if (this->outline.empty() && this->below && this->task.arrangement.isWithinOneRegion())
     {
       return true;
     }
-    const std::vector<Remainder> remainders = this->task.arrangement.remaindersIn(part.corners);
-    const auto next = EndJoiner(this->level, part, remainders, this->task.job).run();
+    const std::vector<Remainder> remainders = this->task.arrangement.remainders();
+    const auto next = EndJoiner(this->level, this->outline, remainders, this->task.job).run();
     if (next)
     {
-      this->addLines(part, remainders, *next);
+      this->addLines(remainders, *next);
     }
     return next.has_value();
   }
 
-  /// Cuts a part in four, which share points on the segments between them.
-  void split(const FacePart& part)
+  /// Joins each entry to the exit beside it, so that no two lines cross.
+  void crossStraight()
   {
-    std::array<Vec2, 3> middles;
-    std::array<bool, 3> cornerBelow{};
-    std::array<bool, 3> middleBelow{};
-    /// The points of each edge before and behind its middle.
-    std::array<std::array<std::vector<OutlinePoint>, 2>, 3> halves;
-    bool below = part.below;
-    auto point = part.outline.begin();
-    for (std::size_t k = 0; k < 3; ++k)
+    IsolinePieces& result = this->task.result;
+    const std::size_t count = this->outline.size();
+    for (std::size_t i = 0; i < count; ++i)
     {
-      const Vec2 edge = part.corners[(k + 1) % 3] - part.corners[k];
-      middles[k] = part.corners[k] + 0.5 * edge;
-      cornerBelow[k] = below;
-      middleBelow[k] = below;
-      for (; point != part.outline.end() && point->edge == k; ++point)
+      if (!this->outline[i].leaves)
       {
-        const bool isBefore = dot(point->at - middles[k], edge) < 0.0 && halves[k][1].empty();
-        below = !point->leaves;
-        middleBelow[k] = isBefore ? below : middleBelow[k];
-        halves[k][isBefore ? 0 : 1].push_back(*point);
+        result.ids.push_back(this->outline[i].id);
+        result.ids.push_back(this->outline[(i + 1) % count].id);
+        this->closePiece();
       }
-    }
-    std::array<FacePart, 4> parts;
-    this->numberOfParts += parts.size();
-    FacePart& center = parts[3];
-    center = { middles, {}, middleBelow[0], part.depth + 1 };
-    std::array<std::vector<OutlinePoint>, 3> cuts;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const std::size_t before = (k + 2) % 3;
-      cuts[k] =
-        this->pointsBetween(middles[k], middles[before], middleBelow[k], middleBelow[before]);
-      FacePart& corner = parts[k];
-      corner = { { part.corners[k], middles[k], middles[before] }, {}, cornerBelow[k],
-        part.depth + 1 };
-      addTo(corner.outline, 0, halves[k][0]);
-      addTo(corner.outline, 1, cuts[k]);
-      addTo(corner.outline, 2, halves[before][1]);
-    }
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      addTo(center.outline, k, cuts[(k + 1) % 3], true);
-    }
-    for (const FacePart& each : parts)
-    {
-      this->drawPart(each);
     }
   }
 
 private:
-  void drawPart(const FacePart& part)
-  {
-    if (this->drawAtOnce(part))
-    {
-      return;
-    }
-    if (part.depth == MaximumDepth || this->numberOfParts >= MaximumParts)
-    {
-      this->crossStraight(part);
-    }
-    else
-    {
-      this->split(part);
-    }
-  }
-
-  /// Adds first the lines that cross the part, then the closed ones that are left. Each owner
+  /// Adds first the lines that cross the face, then the closed ones that are left. Each owner
   /// follows at most one other, and none follows an entry, so that no other loop is possible.
-  void addLines(const FacePart& part, const std::vector<Remainder>& remainders,
-    const std::vector<std::size_t>& next)
+  void addLines(const std::vector<Remainder>& remainders, const std::vector<std::size_t>& next)
   {
     std::vector<std::uint8_t> used(remainders.size(), 0);
     // Follows a line from the end of the owner to an exit, or to the end of the owner again.
@@ -275,14 +287,14 @@ private:
       {
         line.pop_back(); // the exit stands for it
       }
-      const OutlinePoint& exit = part.outline[at - remainders.size()];
+      const OutlinePoint& exit = this->outline[at - remainders.size()];
       line.push_back({ exit.at, exit.id });
     };
-    for (std::size_t i = 0; i < part.outline.size(); ++i)
+    for (std::size_t i = 0; i < this->outline.size(); ++i)
     {
-      if (!part.outline[i].leaves)
+      if (!this->outline[i].leaves)
       {
-        Line line = { { part.outline[i].at, part.outline[i].id } };
+        Line line = { { this->outline[i].at, this->outline[i].id } };
         followFrom(remainders.size() + i, line);
         this->addLine(line, false);
       }
@@ -335,63 +347,30 @@ private:
     points.push_back(fromBarycentric(this->task.mesh, face.face(), face.fromPlane(p)));
     return this->task.firstNewId + static_cast<Id>(points.size() - 1);
   }
-
-  std::vector<OutlinePoint> pointsBetween(Vec2 a, Vec2 b, bool aIsBelow, bool bIsBelow)
-  {
-    SegmentEnvelope envelope;
-    std::vector<SegmentCrossing> crossings;
-    envelope.findCrossings(
-      this->level.face, a, b, this->level.value, aIsBelow, bIsBelow, crossings);
-    const double length = norm(b - a);
-    std::vector<OutlinePoint> points;
-    for (const SegmentCrossing& crossing : crossings)
-    {
-      const Vec2 at = length > 0.0 ? a + (crossing.at / length) * (b - a) : a;
-      points.push_back({ at, this->addPoint(at), 1, crossing.rises });
-    }
-    return points;
-  }
-
-  /// Joins each entry to the exit beside it, so that no two lines cross.
-  void crossStraight(const FacePart& part)
-  {
-    IsolinePieces& result = this->task.result;
-    const std::size_t count = part.outline.size();
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      if (!part.outline[i].leaves)
-      {
-        result.ids.push_back(part.outline[i].id);
-        result.ids.push_back(part.outline[(i + 1) % count].id);
-        this->closePiece();
-      }
-    }
-  }
 };
 
 } // anonymous namespace
 
-// Draws the face in one part if that is possible. Paths that bend at a window's end or at a regular
-// corner only fill gaps that rounding leaves between pencils: they are tried last. So is a larger
-// offset between curves, which orders curves that nearly coincide.
+// Paths that bend at a window's end or at a regular corner only fill gaps that rounding leaves
+// between pencils: they are tried last. So is a larger offset between curves, which orders curves
+// that nearly coincide.
 void drawInFace(const FaceDistance& face, double level, Id valueId,
   const std::vector<OutlinePoint>& outline, bool below, IsolineTask& task)
 {
   const FaceLevel faceLevel(face, level);
-  const FacePart whole = { faceLevel.corners, outline, below, 0 };
-  FaceDrawing drawing{ faceLevel, valueId, task };
+  FaceDrawing drawing{ faceLevel, valueId, outline, below, task };
   for (const bool withBent : { false, true })
   {
     for (const double offset : { tolerance::CurveOffset, tolerance::LargerCurveOffset })
     {
       task.arrangement.assign(faceLevel, withBent, offset);
-      if (drawing.drawAtOnce(whole))
+      if (drawing.draw())
       {
         return;
       }
     }
   }
-  drawing.split(whole);
+  drawing.crossStraight();
 }
 
 }

@@ -9,13 +9,11 @@
 namespace geodesic
 {
 
-/// A point where an isoline crosses the outline of a face, or of a part of it.
+/// A point where an isoline crosses the outline of a face.
 struct OutlinePoint
 {
   Vec2 at;
   Id id;
-  /// The edge that it is on, from corner k to corner k + 1.
-  std::size_t edge;
   /// Whether the line leaves there, run through so that the distance grows to its left.
   bool leaves;
 };
@@ -59,8 +57,8 @@ struct IsolineTask
 /// union of these regions. Each level curve is cut where it meets another one, a ray at the end of
 /// a pencil, or an edge. Its parts outside all other regions remain (LevelArrangement). They are
 /// joined where one ends and another begins, and to the points of the face's outline. If some ends
-/// do not meet, rounding has decided something: then the face is cut in four, down to parts in
-/// which a straight line will do.
+/// do not meet, rounding has decided something; should they meet in no way, the lines go straight
+/// through the face.
 ///
 /// \param level the value, see tolerance::BelowValue.
 /// \param valueId goes into the pieces.

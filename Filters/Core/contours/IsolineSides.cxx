@@ -130,12 +130,12 @@ private:
     const Id frame = longestHalfedge(this->mesh_, face);
     const IncomingSegment piece = this->pieceTo(line, chord, begin);
     Vec2 at = inHalfedgeFrame(this->mesh_, frame, this->onChord(line, chord, begin));
-    const double length = norm(piece.ray.direction);
+    const double length = norm(piece.ray.vector);
     if (piece.ray.halfedge != NoId && TriangleMesh::faceOf(piece.ray.halfedge) == face &&
       length > 0.0)
     {
       const Vec2 along =
-        turned(this->mesh_, (1.0 / length) * piece.ray.direction, piece.ray.halfedge, frame);
+        turned(this->mesh_, (1.0 / length) * piece.ray.vector, piece.ray.halfedge, frame);
       const double value =
         incomingSegmentTo(this->field_, this->result.points[line.points[chord]]).distance;
       at = at + (value - piece.distance) * along;

@@ -294,7 +294,7 @@ private:
       for (; p != this->edgePoints_.end() && p->halfedge == named && p->value == value; ++p)
       {
         const double t = isReversed ? 1.0 - p->fraction : p->fraction;
-        outline.push_back({ begin + t * edge, static_cast<Id>(p - this->edgePoints_.begin()), k,
+        outline.push_back({ begin + t * edge, static_cast<Id>(p - this->edgePoints_.begin()),
           p->rises != isReversed });
       }
       if (isReversed)

@@ -93,20 +93,19 @@ void LevelArrangement::addRegion(const DistanceCandidate& candidate, double offs
   }
 }
 
-bool LevelArrangement::isWithinOneRegion(const std::array<Vec2, 3>& corners) const
+bool LevelArrangement::isWithinOneRegion() const
 {
   return std::any_of(this->regions_.begin(), this->regions_.end(),
-    [&corners](const LevelRegion& region)
+    [&corners = this->level_->corners](const LevelRegion& region)
     {
       return std::all_of(
         corners.begin(), corners.end(), [&region](Vec2 corner) { return region.contains(corner); });
     });
 }
 
-std::vector<LevelArrangement::Remainder> LevelArrangement::remaindersIn(
-  const std::array<Vec2, 3>& corners)
+std::vector<LevelArrangement::Remainder> LevelArrangement::remainders()
 {
-  const std::array<PlaneLine, 3> edges = edgesOf(corners);
+  const std::array<PlaneLine, 3> edges = edgesOf(this->level_->corners);
   std::vector<Remainder> remainders;
   for (const LevelCurve& curve : this->curves_)
   {
@@ -118,7 +117,7 @@ std::vector<LevelArrangement::Remainder> LevelArrangement::remaindersIn(
   return remainders;
 }
 
-// Cuts a curve first to where it lies in the triangle, then by the regions that come near.
+// Cuts a curve first to where it lies in the face, then by the regions that come near.
 void LevelArrangement::cut(const LevelCurve& curve, const std::array<PlaneLine, 3>& edges,
   std::vector<Remainder>& remainders)
 {

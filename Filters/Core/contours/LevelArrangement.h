@@ -56,11 +56,11 @@ public:
   /// \param offset of the curves from each other, as a fraction.
   void assign(const FaceLevel& level, bool withBent, double offset);
 
-  /// Whether a triangle lies in one region, which is convex.
-  bool isWithinOneRegion(const std::array<Vec2, 3>& corners) const;
+  /// Whether the face lies in one region, which is convex.
+  bool isWithinOneRegion() const;
 
-  /// The remainders in a triangle.
-  std::vector<Remainder> remaindersIn(const std::array<Vec2, 3>& corners);
+  /// The remainders in the face.
+  std::vector<Remainder> remainders();
 
 private:
   void addRegion(const DistanceCandidate& candidate, double offset);

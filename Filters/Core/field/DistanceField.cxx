@@ -56,14 +56,12 @@ double DistanceField::distance(const SurfacePoint& point) const
 DistanceField solve(const MeshPartition& surface, SourceWindows sources,
   const FrontOptions& options, KeepWindows keep)
 {
-  if (keep == KeepWindows::None)
+  if (keep == KeepWindows::All)
   {
-    KeepNone none;
-    return { surface, propagate(surface, std::move(sources), options, none), KeptWindows() };
+    return solveKeeping(surface, std::move(sources), options, {});
   }
-  KeepFaces all(surface.mesh());
-  FrontResult front = propagate(surface, std::move(sources), options, all);
-  return { surface, std::move(front), all.release() };
+  KeepNone none;
+  return { surface, propagate(surface, std::move(sources), options, none), KeptWindows() };
 }
 
 DistanceField solveKeeping(const MeshPartition& surface, SourceWindows sources,

@@ -2,33 +2,32 @@
 #ifndef geodesic_DistanceMatrix_h
 #define geodesic_DistanceMatrix_h
 
-#include "field/TargetSets.h"
+#include "Job.h"
+#include "mesh/SurfacePoint.h"
+#include "source/SourceCurve.h"
 
 #include <vector>
 
 namespace geodesic
 {
 
-/// Computes the distance from each of several sources, each source alone, to each target. Sources
-/// are solved side by side on one mesh structure, each in one thread; a solve stops when its
-/// targets are settled. The distances are those of the source's field, to the last bit.
+/// Curves, points and regions in sets, each of which is one source, or one target.
+using CurveSets = std::vector<std::vector<SourceCurve>>;
+
+/// Computes the distance from each of several sources, each source alone, to each target: the least
+/// one of its points, along its lines and along the outlines of its regions; 0 if the source has a
+/// point in one of these. Sources are solved side by side on one mesh structure, each in one
+/// thread; a solve stops when its targets are settled. The distances are those of the source's
+/// field, to the last bit.
 ///
-/// If all sources are sets of points, targets are fewer than sources, and fronts from the targets
-/// have less work by an estimate, each target is solved instead until the sources are settled: the
-/// same distances up to rounding, with the bits of the target's field.
+/// If targets are fewer than sources, and fronts from the targets have less work by an estimate,
+/// each target is solved instead until the sources are settled: the same distances up to rounding,
+/// with the bits of the target's field.
 ///
-/// \param curves of all sources. Curves with the same SourceCurve::source, below numberOfSources,
-///        are one source.
 /// \param maximumDistance larger distances count as infinite, in the surface's units.
 /// \returns for each source the distances of the targets; infinite if no path leads to the target
-///          or the source has no curve.
+///          or one of the two has no curve.
 /// \throws Aborted
-std::vector<std::vector<double>> distanceMatrix(const TriangleMesh& mesh,
-  const std::vector<SourceCurve>& curves, Id numberOfSources,
-  const std::vector<SurfacePoint>& targets, double maximumDistance = Infinity, const Job& job = {});
-
-/// The same to targets that are sets of points, lines and regions (TargetSets). They may be solved
-/// instead whatever the sources are.
 std::vector<std::vector<double>> distanceMatrix(const TriangleMesh& mesh, const CurveSets& sources,
   const CurveSets& targets, double maximumDistance = Infinity, const Job& job = {});
 
@@ -39,6 +38,8 @@ std::vector<std::vector<double>> distancesBetween(const TriangleMesh& mesh, cons
 
 /// \param curves SourceCurve::source, below the count, is the set of each.
 CurveSets setsOf(const std::vector<SourceCurve>& curves, std::size_t count);
+/// A set of each point.
+CurveSets setsOf(const std::vector<SurfacePoint>& points);
 
 }
 

@@ -60,7 +60,7 @@ PathOrigin FootFinder::atSource(const IncomingSegment& piece)
       source.parameterOfA + piece.along * (source.parameterOfB - source.parameterOfA);
     const Vec2 along = inHalfedgeFrame(this->field_.mesh(), piece.ray.halfedge, source.b) -
       inHalfedgeFrame(this->field_.mesh(), piece.ray.halfedge, source.a);
-    const bool isRight = cross(along, piece.ray.direction) < 0.0;
+    const bool isRight = cross(along, piece.ray.vector) < 0.0;
     return { RayOrigin::curveSide(source.curve, isRight), false, RayStart::atParameter(parameter) };
   }
   return this->inFanAt(
@@ -73,7 +73,7 @@ PathOrigin FootFinder::inFanAt(Id chain, double parameter, const IncomingSegment
   const Id face = this->curves_.patch().faceAt(
     this->field_.surface().addressOf(TriangleMesh::faceOf(piece.ray.halfedge)));
   const Id halfedge = TriangleMesh::inCopy(piece.ray.halfedge, face);
-  const Vec2 direction = piece.ray.direction;
+  const Vec2 direction = piece.ray.vector;
   const FanAround& fan = this->fanAt(chain, parameter);
   PathOrigin path = this->atPoint(fan.sideOf(halfedge, direction));
   if (this->field_.hasAngles() && dot(direction, direction) > 0.0 && fan.hasFace(face))

@@ -6,22 +6,12 @@
 #include "front/Arrival.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace geodesic
 {
 
 namespace
 {
-
-/// The same direction in the next face at the edge of the halfedge. The frame of a halfedge in the
-/// opposite direction is rotated by pi, that of one in the same direction is mirrored.
-IncomingRay acrossEdge(const TriangleMesh& mesh, const IncomingRay& ray)
-{
-  const Id behind = mesh.nextSibling(ray.halfedge);
-  const bool isOpposed = mesh.origin(behind) == mesh.destination(ray.halfedge);
-  return { behind, { isOpposed ? -ray.direction.x : ray.direction.x, -ray.direction.y } };
-}
 
 using Kind = WayIntoFace::Kind;
 
@@ -30,42 +20,39 @@ bool isZero(Vec2 v)
   return v.x == 0.0 && v.y == 0.0; // squares of tiny numbers are zero, too
 }
 
-/// What the choice between ways to a point depends on.
-struct Choice
+/// The way from x on a halfedge to a point p of its face, of a path that crosses the halfedge along
+/// a ray.
+struct WayFrom
 {
-  Kind kind = Kind::None;
-  double distance = Infinity;
-  /// The length of the way's straight end.
-  double straight = 0.0;
+  /// Whether the path bends at x, as at a corner where a window ends, or begins there.
+  bool isBent = false;
+  /// The direction in which the path comes to p: that of the ray, unless the path bends or the ray
+  /// is far shorter than the way from x to p.
+  Vec2 direction = {};
+  /// The ray's own direction, better known if the ray is as short.
+  Vec2 ray = {};
 };
 
-/// Whether way a is better than way b: shorter or, where rounding hides which one is shorter, the
-/// one that gives the better direction.
-bool isBetter(const Choice& a, const Choice& b, double faceSize)
+/// \param longest edge of the face.
+WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest)
 {
-  const double size = a.distance + faceSize;
-  const double difference = std::abs(a.distance - b.distance);
-  const bool isOneFromCorner = (a.kind == Kind::Corner) != (b.kind == Kind::Corner);
+  const Vec2 d = p - Vec2{ x, 0.0 };
+  const bool isBent = bends(ray, d, longest);
+  const bool isShort = norm(ray) < tolerance::NearEdge * norm(d);
+  return { isBent, isBent || isShort ? d : ray, !isBent && isShort ? d : ray };
+}
 
-  // A long straight end gives the best direction.
-  const bool isOneStraighter = std::abs(a.straight - b.straight) > tolerance::Tie * size;
-  if (isOneStraighter && difference <= tolerance::Tie * size)
-  {
-    return a.straight > b.straight;
-  }
-  // A corner as near as rounding gives no direction. Nor does a corner that is so near to the
-  // source: the way past the corner is shorter, unless rounding hides that.
-  if (isOneFromCorner)
-  {
-    const double rounding = tolerance::PlaceRounding * size;
-    return a.distance < b.distance + (a.kind == Kind::Corner ? -rounding : rounding);
-  }
-  // Rounding alone tells which of the two is shorter.
-  if (difference <= tolerance::SameLength * size)
-  {
-    return a.straight > b.straight;
-  }
-  return a.distance < b.distance;
+/// The end of the arrival's halfedge at which the path crosses it, but for rounding; NoId if it
+/// crosses between the ends. The smaller the angle between rays and halfedge, the larger is the
+/// rounding of the place where a window ends.
+Id cornerCrossed(const TriangleMesh& mesh, const Arrival& arrival)
+{
+  const double angle = arrival.direction.y / norm(arrival.direction);
+  const double rounding = tolerance::PlaceRounding / std::max(angle, tolerance::NearEdge) *
+    mesh.shape(TriangleMesh::faceOf(arrival.halfedge)).longest();
+  return arrival.x <= rounding                              ? mesh.origin(arrival.halfedge)
+    : arrival.x >= mesh.length(arrival.halfedge) - rounding ? mesh.destination(arrival.halfedge)
+                                                            : NoId;
 }
 
 /// Looks for the shortest way to one point.
@@ -82,13 +69,15 @@ public:
   /// Looks at the ways to the point through a face.
   ///
   /// \param only one kind of ways; None: all.
-  void look(Id face, Kind only = Kind::None)
+  /// \param withBehind also through windows of an edge with the point: their paths come through the
+  ///        face behind the edge.
+  void look(Id face, Kind only = Kind::None, bool withBehind = true)
   {
     this->enter(face);
     forEachWay(this->field_, face, this->point_,
       [&](const WayIntoFace& way)
       {
-        if (only == Kind::None || way.kind == only)
+        if ((only == Kind::None || way.kind == only) && (withBehind || !way.isBehind))
         {
           way.kind == Kind::Window ? this->takeWindow(way) : this->takeStart(way);
         }
@@ -120,6 +109,8 @@ public:
     this->best_.origin = arrival.origin;
     this->best_.start = arrival.start;
     this->best_.rayOfWindow = way.ray;
+    this->best_.x = arrival.x;
+    this->best_.atX = arrival.direction;
     const Id corner = cornerCrossed(this->mesh_, arrival);
     if (way.isBent && corner != NoId)
     {
@@ -130,21 +121,6 @@ public:
   }
 
   const IncomingSegment& best() const { return this->best_; }
-  /// Whether the best piece comes from a corner and has no length.
-  bool isAtCorner() const
-  {
-    return this->best_.kind == Kind::Corner && isZero(this->best_.ray.direction);
-  }
-  /// Whether the best piece comes from a corner, is as short as rounding, and the corner itself has
-  /// a direction.
-  bool isBesideCorner() const
-  {
-    const double rounding = tolerance::PlaceRounding * (this->faceSize_ + this->best_.distance);
-    return this->best_.kind == Kind::Corner && norm(this->best_.ray.direction) <= rounding &&
-      this->field_.vertexDistances()[this->corner_] > 0.0 &&
-      this->field_.arrivals()[this->corner_].isKnown();
-  }
-  Id corner() const { return this->corner_; }
 
 private:
   /// Goes to a face around the point.
@@ -158,7 +134,7 @@ private:
   /// A piece from a source or from a corner.
   void takeStart(const WayIntoFace& way)
   {
-    if (!this->improve({ way.kind, way.distance, way.length }))
+    if (!this->improve(way, way.length))
     {
       return;
     }
@@ -180,34 +156,70 @@ private:
     // At an edge of three and more faces the path may have come through any of the others.
     const bool isUnsure = way.isBehind && !this->mesh_.isInner(way.halfedge);
     const double straight = w.isLinear() ? way.distance : way.distance - w.sigma;
-    if (this->improve({ Kind::Window, way.distance, isUnsure || from.isBent ? 0.0 : straight }))
+    if (this->improve(way, isUnsure || from.isBent ? 0.0 : straight))
     {
-      const IncomingRay ray = { way.halfedge, from.direction };
-      this->best_.ray = way.isBehind ? acrossEdge(this->mesh_, ray) : ray;
+      const FaceDirection ray = { way.halfedge, from.direction };
+      this->best_.ray =
+        way.isBehind ? acrossEdge(this->mesh_, ray, this->mesh_.nextSibling(way.halfedge)) : ray;
       this->best_.origin = w.origin;
       this->best_.start = w.startOf({ way.x, 0.0 });
       this->best_.rayOfWindow = from.ray;
+      this->best_.x = way.x;
+      this->best_.atX = w.direction(way.x);
     }
   }
 
   /// Makes a way the best one if it is better.
-  bool improve(const Choice& way)
+  ///
+  /// \param straight the length of its straight end.
+  bool improve(const WayIntoFace& way, double straight)
   {
     const bool isKnown = way.distance < Infinity; // not a corner that a corridor has left out
-    if (!isKnown || !isBetter(way, this->chosen_, this->faceSize_))
+    if (!isKnown || !this->isBetter(way, straight))
     {
       return false;
     }
+    const double distance = std::min(way.distance, this->best_.distance);
     this->best_ = IncomingSegment();
     this->best_.kind = way.kind;
-    this->best_.distance = std::min(way.distance, this->chosen_.distance);
-    this->chosen_ = { way.kind, this->best_.distance, way.straight };
+    this->best_.distance = distance;
+    this->straight_ = straight;
     return true;
+  }
+
+  /// Whether a way is better than the best one: shorter or, where rounding hides which one is
+  /// shorter, the one that gives the better direction.
+  bool isBetter(const WayIntoFace& way, double straight) const
+  {
+    const double best = this->best_.distance;
+    const double size = way.distance + this->faceSize_;
+    const double difference = std::abs(way.distance - best);
+    const bool isFromCorner = way.kind == Kind::Corner;
+
+    // A long straight end gives the best direction.
+    const bool isOneStraighter = std::abs(straight - this->straight_) > tolerance::Tie * size;
+    if (isOneStraighter && difference <= tolerance::Tie * size)
+    {
+      return straight > this->straight_;
+    }
+    // A corner as near as rounding gives no direction. Nor does a corner that is so near to the
+    // source: the way past the corner is shorter, unless rounding hides that.
+    if (isFromCorner != (this->best_.kind == Kind::Corner))
+    {
+      const double rounding = tolerance::PlaceRounding * size;
+      return way.distance < best + (isFromCorner ? -rounding : rounding);
+    }
+    // Rounding alone tells which of the two is shorter.
+    if (difference <= tolerance::SameLength * size)
+    {
+      return straight > this->straight_;
+    }
+    return way.distance < best;
   }
 
   void setCorner(Id corner)
   {
-    this->corner_ = corner;
+    this->best_.corner = corner;
     this->best_.origin = this->originAt(corner);
   }
   RayOrigin originAt(Id vertex) const
@@ -215,7 +227,7 @@ private:
     return RayOrigin::vertex(this->field_.surface().globalId(vertex));
   }
 
-  IncomingRay rayFrom(const Barycentric& begin) const
+  FaceDirection rayFrom(const Barycentric& begin) const
   {
     const Id frame = longestHalfedge(this->mesh_, this->face_);
     return { frame, wayInFrame(this->mesh_, frame, begin, this->inFace_) };
@@ -225,9 +237,8 @@ private:
   const TriangleMesh& mesh_;
   const SurfacePoint& point_;
   IncomingSegment best_;
-  Choice chosen_;
-  /// The corner that the best piece comes from; NoId if it comes from elsewhere.
-  Id corner_ = NoId;
+  /// The length of its straight end.
+  double straight_ = 0.0;
   /// The current face, and in it the point and the longest edge.
   Id face_ = NoId;
   Barycentric inFace_ = {};
@@ -256,56 +267,13 @@ void findAtVertex(const DistanceField& field, const SurfacePoint& point, LastPie
   forEachFace(field.mesh(), point, [&](Id face) { search.look(face, Kind::Corner); });
 }
 
-// If vertices are at one place, but for rounding, the direction is known at the one that the paths
-// of the others come from. Vertices may also name each other.
-IncomingSegment lastPieceToVertex(const DistanceField& field, Id vertex)
-{
-  if (field.arrivals().empty())
-  {
-    throw Error("The path to a vertex was asked for, but the solve did not keep arrivals.");
-  }
-  std::vector<Id> passed;
-  for (;;)
-  {
-    const SurfacePoint point = SurfacePoint::atVertex(vertex);
-    LastPieceSearch search(field, point);
-    findAtVertex(field, point, search);
-    passed.push_back(vertex);
-    vertex = search.corner();
-    if (!search.isBesideCorner() || std::find(passed.begin(), passed.end(), vertex) != passed.end())
-    {
-      return search.best();
-    }
-  }
-}
-
 } // anonymous namespace
-
-WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest)
-{
-  const Vec2 d = p - Vec2{ x, 0.0 };
-  const bool isBent = bends(ray, d, longest);
-  const bool isShort = norm(ray) < tolerance::NearEdge * norm(d);
-  return { isBent, isBent || isShort ? d : ray, !isBent && isShort ? d : ray };
-}
-
-// The smaller the angle between rays and halfedge, the larger is the rounding of the place where a
-// window ends.
-Id cornerCrossed(const TriangleMesh& mesh, const Arrival& arrival)
-{
-  const double angle = arrival.direction.y / norm(arrival.direction);
-  const double rounding = tolerance::PlaceRounding / std::max(angle, tolerance::NearEdge) *
-    mesh.shape(TriangleMesh::faceOf(arrival.halfedge)).longest();
-  return arrival.x <= rounding                              ? mesh.origin(arrival.halfedge)
-    : arrival.x >= mesh.length(arrival.halfedge) - rounding ? mesh.destination(arrival.halfedge)
-                                                            : NoId;
-}
 
 IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint& point)
 {
   if (point.kind == SurfacePoint::Kind::Vertex)
   {
-    return lastPieceToVertex(field, point.id);
+    return incomingSegmentThrough(field, point);
   }
   LastPieceSearch search(field, point);
   bool isKnown = false;
@@ -322,13 +290,38 @@ IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint
   {
     throw Error("The path to a point was asked for, but the solve kept no windows there.");
   }
-  return search.isAtCorner() ? lastPieceToVertex(field, search.corner()) : search.best();
+  const IncomingSegment& piece = search.best();
+  const bool isAtCorner = piece.kind == Kind::Corner && isZero(piece.ray.vector);
+  return isAtCorner ? incomingSegmentThrough(field, SurfacePoint::atVertex(piece.corner)) : piece;
+}
+
+IncomingSegment incomingSegmentThrough(const DistanceField& field, const SurfacePoint& point)
+{
+  LastPieceSearch search(field, point);
+  if (point.kind == SurfacePoint::Kind::Vertex)
+  {
+    if (field.arrivals().empty())
+    {
+      throw Error("The path to a vertex was asked for, but the solve did not keep arrivals.");
+    }
+    findAtVertex(field, point, search);
+    return search.best();
+  }
+  forEachFace(field.mesh(), point,
+    [&](Id face)
+    {
+      if (field.surface().isOwn(face) && field.knowsInside(face))
+      {
+        search.look(face, Kind::None, false);
+      }
+    });
+  return search.best();
 }
 
 Vec3 gradientOf(const TriangleMesh& mesh, const IncomingSegment& piece)
 {
   return piece.kind != Kind::None && piece.distance > 0.0
-    ? inSpace(mesh, piece.ray.halfedge, piece.ray.direction)
+    ? inSpace(mesh, piece.ray.halfedge, piece.ray.vector)
     : Vec3{};
 }
 

@@ -7,13 +7,6 @@
 namespace geodesic
 {
 
-/// A direction in a face, of any length, in the frame of one of the face's halfedges.
-struct IncomingRay
-{
-  Id halfedge = NoId;
-  Vec2 direction = {};
-};
-
 /// The last straight piece of a shortest path to a point of the surface. If there are several
 /// shortest paths, it is that of one of them.
 struct IncomingSegment
@@ -25,13 +18,17 @@ struct IncomingSegment
   double distance = Infinity;
   /// The direction in which the path comes to the point; zero if the piece has no length. The
   /// halfedge is one of the last face on the path.
-  IncomingRay ray;
+  FaceDirection ray;
   /// The corner (MeshPartition::globalId()) or the window's origin (Window::origin). Of a window
-  /// also the start of the ray (Window::startOf()), and the ray in the frame of the window's
-  /// halfedge.
+  /// also the start of the ray (Window::startOf()), the ray in the frame of the window's halfedge,
+  /// and where it crosses the halfedge, and in which direction.
   RayOrigin origin = {};
   RayStart start = {};
   Vec2 rayOfWindow = {};
+  double x = 0.0;
+  Vec2 atX = {};
+  /// The corner; NoId if the piece does not come from one.
+  Id corner = NoId;
   /// The source, and how far along it the piece begins: nearestAlongSource().
   SourceInFace source;
   double along = 0.0;
@@ -42,25 +39,9 @@ struct IncomingSegment
 /// \throws Error where these were not kept.
 IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint& point);
 
-/// The way from x on a halfedge to a point p of its face, of a path that crosses the halfedge along
-/// a ray.
-struct WayFrom
-{
-  /// Whether the path bends at x, as at a corner where a window ends, or begins there.
-  bool isBent = false;
-  /// The direction in which the path comes to p: that of the ray, unless the path bends or the ray
-  /// is far shorter than the way from x to p.
-  Vec2 direction = {};
-  /// The ray's own direction, better known if the ray is as short.
-  Vec2 ray = {};
-};
-
-/// \param longest edge of the face.
-WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest);
-
-/// The end of the arrival's halfedge at which the path crosses it, but for rounding; NoId if it
-/// crosses between the ends.
-Id cornerCrossed(const TriangleMesh& mesh, const Arrival& arrival);
+/// The same through this rank's faces around the point: of a point beside a corner the piece may
+/// have no length.
+IncomingSegment incomingSegmentThrough(const DistanceField& field, const SurfacePoint& point);
 
 /// The gradient of the distance at a point whose shortest path ends with this piece: a unit vector
 /// in the plane of the face that the path comes through; zero on the source and if there is no

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/NearestSource.h"
 
-#include "Tolerance.h"
 #include "field/NearestSourceOnRanks.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace geodesic
 {
@@ -35,30 +33,6 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
   this->elsewhere_ = originsElsewhere(this->field(), this->origins_);
 }
 
-// The last piece of the path to a vertex. If it comes through a window and cannot bend at a corner,
-// its direction is left out, so that no face need be looked at. The window's ray is its direction,
-// unless the source is so near to the halfedge that rounding of the crossing turns the ray.
-IncomingSegment NearestSource::originTo(Id vertex) const
-{
-  const Arrival& arrival = this->field().arrivals()[vertex];
-  const auto isNear = [&]
-  {
-    return norm(arrival.direction) <
-      tolerance::NearEdge * this->field().mesh().length(arrival.halfedge);
-  };
-  if (!arrival.isThroughWindow() || isNear() ||
-    cornerCrossed(this->field().mesh(), arrival) != NoId)
-  {
-    return incomingSegmentTo(this->field(), SurfacePoint::atVertex(vertex));
-  }
-  IncomingSegment piece;
-  piece.kind = IncomingSegment::Kind::Window;
-  piece.origin = arrival.origin;
-  piece.start = arrival.start;
-  piece.rayOfWindow = arrival.direction;
-  return piece;
-}
-
 // Follows the path back from pseudo-source to pseudo-source; all vertices on the way get the origin
 // that is found. The way ends at a vertex that another rank counts, and where vertices at one place
 // name each other.
@@ -68,7 +42,7 @@ void NearestSource::follow(Id vertex)
   PathOrigin found = this->origins_[vertex];
   while (!found.origin.isKnown())
   {
-    const IncomingSegment piece = this->originTo(vertex);
+    const IncomingSegment piece = incomingSegmentTo(this->field(), SurfacePoint::atVertex(vertex));
     way.push_back(vertex);
     if (this->isFromCurve(piece))
     {

@@ -35,7 +35,6 @@ public:
   Foot of(const IncomingSegment& piece);
 
 private:
-  IncomingSegment originTo(Id vertex) const;
   void follow(Id vertex);
   bool isFromCurve(const IncomingSegment& piece) const;
   PathOrigin ofVertex(Id globalId) const;

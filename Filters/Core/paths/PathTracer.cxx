@@ -2,7 +2,6 @@
 #include "paths/PathTracer.h"
 
 #include "Tolerance.h"
-#include "paths/ShortestWay.h"
 #include "window/UnfoldedFace.h"
 
 #include <algorithm>
@@ -28,18 +27,25 @@ public:
     // shortest path visits no vertex twice and crosses no face twice.
     const std::uint64_t mostSteps =
       std::uint64_t{ this->surface.numberOfGlobalFaces() } + this->surface.numberOfGlobalVertices();
-    while (this->path.isOnItsWay())
+    for (;;)
     {
+      // If rounding leads a ray past a vertex on the wrong side, or to a place beside the end, the
+      // ray is longer than the path.
+      if (this->path.steps > mostSteps ||
+        !(this->path.length <= (1.0 + tolerance::TracedLength) * this->path.whole))
+      {
+        this->path.next = Next::Lost;
+      }
+      if (!this->path.isOnItsWay())
+      {
+        return NoId;
+      }
       const Id face = this->nextFace();
       if (face != NoId && !this->surface.isOwn(face))
       {
         return face;
       }
-      if (this->path.steps > mostSteps)
-      {
-        this->path.next = Next::Lost;
-      }
-      else if (this->path.next == Next::BehindExit)
+      if (this->path.next == Next::BehindExit)
       {
         this->goBehindExit();
       }
@@ -54,42 +60,31 @@ public:
         }
         this->continueOnThisRank();
       }
-      else if (this->path.points.back().kind == SurfacePoint::Kind::Vertex)
-      {
-        this->goOnFromVertex(this->path.points.back().id);
-      }
       else
       {
-        this->search(NoId);
+        this->goOn();
       }
     }
-    // If rounding leads a ray past a vertex on the wrong side, or to a place beside the end, the
-    // ray is longer than the path.
-    if (!(this->path.length <= (1.0 + tolerance::TracedLength) * this->path.whole))
-    {
-      this->path.next = Next::Lost;
-    }
-    return NoId;
   }
 
-  void continueOnThisRank()
+  /// Returns the length of the path from the last point.
+  double continueOnThisRank()
   {
-    const WayInFace way = shortestWayTo(this->field, this->path.points.back(), this->path.without);
-    if (way.kind == WayIntoFace::Kind::Corner)
+    const IncomingSegment piece = incomingSegmentThrough(this->field, this->path.points.back());
+    this->path.piece = piece;
+    if (piece.kind == IncomingSegment::Kind::Corner)
     {
-      this->goToVertex(way.vertex, way.face);
+      this->goToVertex(piece.corner, TriangleMesh::faceOf(piece.ray.halfedge));
     }
-    else if (way.kind == WayIntoFace::Kind::Window)
+    else if (piece.kind == IncomingSegment::Kind::Window)
     {
-      const Window& w = *way.window;
-      this->path.piece = { IncomingSegment::Kind::Window, way.distance, {}, w.origin,
-        w.startOf({ way.x, 0.0 }), way.from.ray, {}, 0.0 };
-      this->startLeg(way.halfedge, way.x, w.direction(way.x));
+      this->startLeg(piece.ray.halfedge, piece.x, piece.atX);
     }
     else
     {
       this->path.next = Next::Lost; // the windows that it comes through were not kept
     }
+    return piece.distance;
   }
 
 private:
@@ -122,44 +117,33 @@ private:
     this->path.faces.push_back(face);
   }
 
-  void goOnFromVertex(Id vertex)
+  // From a vertex or the first point.
+  void goOn()
   {
-    if (!(this->field.vertexDistances()[vertex] > 0.0))
+    const SurfacePoint point = this->path.points.back();
+    const bool isVertex = point.kind == SurfacePoint::Kind::Vertex;
+    if (isVertex && !(this->field.vertexDistances()[point.id] > 0.0))
     {
       const Id face = this->path.faces.back();
-      this->endAtVertex(vertex, face, barycentric(this->mesh, this->path.points.back(), face));
+      this->endAtVertex(point.id, face, barycentric(this->mesh, point, face));
       return;
     }
-    for (const Id corner : this->mesh.cornersAt(vertex))
+    this->search();
+    if (isVertex && this->path.next == Next::Search)
     {
-      if (this->endInFace(TriangleMesh::faceOf(corner)))
-      {
-        return;
-      }
+      this->continueOnThisRank(); // all ranks with the vertex know how the path arrives
     }
-    const Arrival& arrival = this->field.arrivals()[vertex];
-    if (arrival.halfedge == NoId)
-    {
-      this->path.next = Next::Lost; // a bound along an edge was shorter by roundings
-      return;
-    }
-    const WayFrom way = wayFrom(arrival.x, apexOf(this->mesh, arrival.halfedge), arrival.direction,
-      this->mesh.shape(TriangleMesh::faceOf(arrival.halfedge)).longest());
-    this->path.piece = { IncomingSegment::Kind::Window, this->path.left, {}, arrival.origin,
-      arrival.start, way.ray, {}, 0.0 };
-    this->startLeg(arrival.halfedge, arrival.x, arrival.direction);
   }
 
-  // First looks for an end in the faces around the last point; only then are windows asked.
-  void search(Id without)
+  // First looks for an end in the faces around the last point.
+  void search()
   {
-    this->path.without = without;
     this->path.next = Next::Search;
     const SurfacePoint point = this->path.points.back();
     forEachFace(this->mesh, point,
       [&](Id face)
       {
-        if (face != without && this->path.next == Next::Search)
+        if (this->path.next == Next::Search)
         {
           this->endInFace(face);
         }
@@ -180,7 +164,6 @@ private:
     ray.sourceX = direction.x / length;
     ray.sourceDepth = direction.y / length;
     this->path.exit = halfedge;
-    this->path.stepsBesideEnd = 0;
     const Barycentric from =
       barycentric(this->mesh, this->path.points.back(), TriangleMesh::faceOf(halfedge));
     this->followLeg(halfedge, inHalfedgeFrame(this->mesh, halfedge, from), { x, 0.0 });
@@ -216,7 +199,6 @@ private:
   // of three and more faces, to the end or into the next face.
   void followLeg(Id frame, Vec2 from, Vec2 to)
   {
-    constexpr int LegsBesideEnd = 3; // as many faces as may lie between the path and its end
     const Id exit = this->path.exit;
     const Id face = TriangleMesh::faceOf(exit);
     const Id corner = this->cornerOn(frame, from, to);
@@ -233,14 +215,13 @@ private:
       return;
     }
     const Id sibling = this->mesh.nextSibling(exit);
-    const bool leavesSurface = sibling == exit;
-    if (leavesSurface || (!(this->path.left > 0.0) && ++this->path.stepsBesideEnd > LegsBesideEnd))
+    if (sibling == exit)
     {
-      this->path.next = Next::Lost;
+      this->path.next = Next::Lost; // it leaves the surface
     }
     else if (!this->mesh.isInner(exit))
     {
-      this->search(face);
+      this->search();
     }
     else if (!this->endInFace(TriangleMesh::faceOf(sibling)))
     {
@@ -390,9 +371,9 @@ Id followPath(const DistanceField& field, TracedPath& path)
   return PathTracer{ field, path }.follow();
 }
 
-void continueOnThisRank(const DistanceField& field, TracedPath& path)
+double continueOnThisRank(const DistanceField& field, TracedPath& path)
 {
-  PathTracer{ field, path }.continueOnThisRank();
+  return PathTracer{ field, path }.continueOnThisRank();
 }
 
 }

@@ -33,9 +33,8 @@ struct PathState
   double left = 0.0;
   double whole = 0.0;
   double length = 0.0;
-  /// The number of points added, and of faces crossed since the path should have ended.
+  /// The number of points added.
   std::uint64_t steps = 0;
-  int stepsBesideEnd = 0;
   Next next = Next::Point;
   /// The halfedge through which the path leaves a face, and its ray behind that halfedge: a linear
   /// window without width in the leaving frame, whose x axis runs against the halfedge.
@@ -55,8 +54,6 @@ struct TracedPath : PathState
   /// The points, each with a face that holds it and the point before.
   std::vector<SurfacePoint> points;
   std::vector<Id> faces;
-  /// The face that the path has come from, which a search leaves out; NoId if there is none.
-  Id without = NoId;
 };
 
 /// A path before its first step. If the point was not reached, it is complete and has no points.
@@ -75,8 +72,10 @@ TracedPath beginPath(const DistanceField& field, const SurfacePoint& from);
 ///          around its last point (PathState::Next::Search) in faces of several ranks.
 Id followPath(const DistanceField& field, TracedPath& path);
 
-/// Continues from a search through the best of this rank's faces.
-void continueOnThisRank(const DistanceField& field, TracedPath& path);
+/// Continues from a search (PathState::Next::Search) through the best of this rank's faces.
+///
+/// \returns the length of the path from the last point through these; infinite if there is none.
+double continueOnThisRank(const DistanceField& field, TracedPath& path);
 
 }
 

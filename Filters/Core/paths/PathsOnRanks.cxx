@@ -2,7 +2,6 @@
 #include "paths/PathsOnRanks.h"
 
 #include "paths/PathInWindows.h"
-#include "paths/ShortestWay.h"
 
 #include <algorithm>
 #include <utility>
@@ -34,7 +33,7 @@ TargetOnRank onOwnFace(
 
 void PathsOnRanks::add(Id target, TracedPath path)
 {
-  this->addFollowed(path, 0, this->paths_.emplace_back(OwnPath{ target }));
+  this->paths_.push_back({ target, this->followHere(path, 0) });
 }
 
 void PathsOnRanks::follow(const TakePath& take)
@@ -43,8 +42,7 @@ void PathsOnRanks::follow(const TakePath& take)
     this->part_.exchange(), this->job_,
     [this](Questions& questions) { return this->ask(questions); },
     [this](const SentPath& sent) { return this->step(sent); },
-    [this](const SentPath& sent, TracedPath& followed, Message& answer)
-    { this->tell(sent, followed, answer); },
+    [this](const SentPath&, Step& step, Message& answer) { this->tell(step, answer); },
     [&](std::size_t i, MessageReader& answer) { this->hear(this->paths_[i], answer, take); });
   this->paths_.clear();
 }
@@ -55,9 +53,9 @@ bool PathsOnRanks::ask(Questions& questions)
   bool isAnyOpen = false;
   for (std::size_t i = 0; i < this->paths_.size(); ++i)
   {
-    for (const int rank : this->paths_[i].ranks)
+    for (const int rank : this->paths_[i].path.ranks)
     {
-      questions.ask(rank, i, this->paths_[i].sent);
+      questions.ask(rank, i, this->paths_[i].path.sent);
       isAnyOpen = true;
     }
   }
@@ -65,81 +63,66 @@ bool PathsOnRanks::ask(Questions& questions)
 }
 
 // The path has one point, the last one.
-TracedPath PathsOnRanks::step(const SentPath& sent) const
+PathsOnRanks::Step PathsOnRanks::step(const SentPath& sent) const
 {
-  TracedPath path;
+  Step step;
+  TracedPath& path = step.path;
   static_cast<PathState&>(path) = sent.state;
   const Id face = this->part_.faceAt(sent.face);
   path.faces = { face };
   path.points = { fromFacePoint(this->part_.mesh(), face, sent.last) };
   path.exit = TriangleMesh::inCopy(path.exit, face);
-  path.without = sent.without.rank < 0 ? NoId : this->part_.faceAt(sent.without);
-  if (sent.request == Request::FollowShortest)
+  if (path.next == Next::Search)
   {
-    continueOnThisRank(this->field_, path);
+    step.through = continueOnThisRank(this->field_, path);
   }
-  if (sent.request != Request::Measure)
-  {
-    followPath(this->field_, path);
-  }
-  return path;
+  followPath(this->field_, path);
+  return step;
 }
 
-void PathsOnRanks::tell(const SentPath& sent, TracedPath& followed, Message& answer)
+void PathsOnRanks::tell(Step& step, Message& answer) const
 {
-  if (sent.request == Request::Measure)
+  Followed found = this->followHere(step.path, 1); // the first point came with the question
+  found.sent.through = step.through;
+  put(answer, found.sent);
+  put(answer, found.end);
+  putAll(answer, found.ranks);
+  putAll(answer, found.points);
+}
+
+void PathsOnRanks::hear(OwnPath& own, MessageReader& answer, const TakePath& take)
+{
+  Followed found;
+  found.sent = answer.get<SentPath>();
+  found.end = answer.get<PathEnd>();
+  found.ranks = answer.getAll<int>();
+  found.points = answer.getAll<SentPoint>();
+  if (own.answers == 0 || found.sent.through < own.next.sent.through)
   {
-    put(answer, this->part_.exchange().rank());
-    put(answer, shortestWayTo(this->field_, followed.points.back(), followed.without).distance);
+    own.next = std::move(found);
+  }
+  if (++own.answers < own.path.ranks.size())
+  {
     return;
   }
-  OwnPath path;
-  this->addFollowed(followed, 1, path); // the first point came with the question
-  put(answer, path.sent);
-  put(answer, path.end);
-  putAll(answer, path.ranks);
-  putAll(answer, path.points);
-}
-
-void PathsOnRanks::hear(OwnPath& path, MessageReader& answer, const TakePath& take)
-{
-  if (path.sent.request == Request::Measure)
+  own.answers = 0;
+  std::vector<SentPoint>& points = own.path.points;
+  points.insert(points.end(), own.next.points.begin(), own.next.points.end());
+  own.next.points = std::move(points);
+  own.path = std::move(own.next);
+  if (!own.path.sent.state.isOnItsWay())
   {
-    const int rank = answer.get<int>();
-    path.measured.push_back({ answer.get<double>(), rank });
-    if (path.measured.size() < path.ranks.size())
-    {
-      return;
-    }
-    const auto [length, shortest] = *std::min_element(path.measured.begin(), path.measured.end());
-    path.measured.clear();
-    path.sent.request = Request::FollowShortest;
-    path.ranks = { shortest };
-    if (length == Infinity)
-    {
-      path.sent.state.next = Next::Lost; // the windows that it comes through were not kept
-    }
-  }
-  else
-  {
-    path.sent = answer.get<SentPath>();
-    path.end = answer.get<PathEnd>();
-    path.ranks = answer.getAll<int>();
-    const auto points = answer.getAll<SentPoint>();
-    path.points.insert(path.points.end(), points.begin(), points.end());
-  }
-  if (!path.sent.state.isOnItsWay())
-  {
-    take(this->found(path));
-    path = OwnPath();
+    take(this->found(own));
+    own = OwnPath();
   }
 }
 
-// Adds what followPath() has found, and who is asked next.
-void PathsOnRanks::addFollowed(TracedPath& traced, std::size_t firstPoint, OwnPath& path)
+// Follows a path as far as it goes through this rank's faces, and finds out who is asked next.
+PathsOnRanks::Followed PathsOnRanks::followHere(TracedPath& traced, std::size_t firstPoint) const
 {
   const TriangleMesh& mesh = this->part_.mesh();
   const Id elsewhere = followPath(this->field_, traced);
+  Followed path;
   for (std::size_t i = firstPoint; i < traced.points.size(); ++i)
   {
     const Id face = traced.faces[i];
@@ -154,10 +137,9 @@ void PathsOnRanks::addFollowed(TracedPath& traced, std::size_t firstPoint, OwnPa
   }
   if (!traced.isOnItsWay())
   {
-    return;
+    return path;
   }
   const bool leaves = elsewhere != NoId;
-  path.sent.request = leaves ? Request::Follow : Request::Measure;
   path.ranks =
     leaves ? std::vector<int>{ this->part_.ownerOf(elsewhere).rank } : this->ranksAround(traced);
   const Id face = !leaves             ? someFace(mesh, traced.points.back())
@@ -165,8 +147,7 @@ void PathsOnRanks::addFollowed(TracedPath& traced, std::size_t firstPoint, OwnPa
                                       : elsewhere;
   path.sent.face = this->part_.addressOf(face);
   path.sent.last = toFacePoint(mesh, face, traced.points.back());
-  path.sent.without =
-    traced.without == NoId ? RankAddress{ -1, NoId } : this->part_.addressOf(traced.without);
+  return path;
 }
 
 // The ranks that own faces around the last point, each of which has all faces there.
@@ -174,22 +155,17 @@ std::vector<int> PathsOnRanks::ranksAround(const TracedPath& path) const
 {
   std::vector<int> ranks;
   forEachFace(this->part_.mesh(), path.points.back(),
-    [&](Id face)
-    {
-      if (face != path.without)
-      {
-        ranks.push_back(this->part_.addressOf(face).rank);
-      }
-    });
+    [&](Id face) { ranks.push_back(this->part_.addressOf(face).rank); });
   std::sort(ranks.begin(), ranks.end());
   ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
   return ranks;
 }
 
-PathToSource PathsOnRanks::found(const OwnPath& path) const
+PathToSource PathsOnRanks::found(const OwnPath& own) const
 {
+  const Followed& path = own.path;
   PathToSource result;
-  result.target = path.target;
+  result.target = own.target;
   if (path.sent.state.next == Next::End)
   {
     std::vector<SentFace> faces;

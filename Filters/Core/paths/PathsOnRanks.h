@@ -8,7 +8,6 @@
 #include "paths/PathTracer.h"
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -18,8 +17,8 @@ namespace geodesic
 ///
 /// At a seam the target's rank asks the rank that owns the next face to follow the path; the answer
 /// contains the points that this rank has found. A point on an edge of three and more faces may lie
-/// on a seam; then the ranks that own these faces are asked how long the path through them is, and
-/// the path goes on where it is shortest.
+/// on a seam; then all ranks that own these faces follow the path through them, and the one that is
+/// shortest goes on.
 class PathsOnRanks
 {
 public:
@@ -44,27 +43,17 @@ public:
   void follow(const TakePath& take);
 
 private:
-  /// What a rank is asked to do with a path.
-  enum class Request : std::uint8_t
-  {
-    /// Follow the path.
-    Follow,
-    /// Tell the length of the shortest way to the last point through the own faces.
-    Measure,
-    /// Follow the path through these.
-    FollowShortest
-  };
   /// A path as one rank sends it to another.
   struct SentPath
   {
-    Request request = Request::Follow;
     PathState state = {};
+    /// In the answer to a search: the length of the path through the faces of the rank that
+    /// answers.
+    double through = 0.0;
     /// A face of both ranks that holds the last point and, if the path goes on behind an exit, the
     /// exit.
     RankAddress face = {};
     FacePoint last = {};
-    /// TracedPath::without; its rank is -1 if there is none.
-    RankAddress without = {};
   };
   /// A point of a path, and a face that holds it and the point before.
   struct SentPoint
@@ -72,24 +61,35 @@ private:
     SentFace face;
     FacePoint point;
   };
+  /// What is known of a path behind a point.
+  struct Followed
+  {
+    SentPath sent = {};
+    PathEnd end = {};
+    /// The ranks that are asked next, ascending.
+    std::vector<int> ranks = {};
+    std::vector<SentPoint> points = {};
+  };
   /// A path of one of this rank's targets.
   struct OwnPath
   {
     Id target = NoId;
-    SentPath sent = {};
-    /// The ranks that are asked next, ascending.
-    std::vector<int> ranks = {};
-    std::vector<SentPoint> points = {};
-    PathEnd end = {};
-    /// The lengths that ranks have measured, with these ranks.
-    std::vector<std::pair<double, int>> measured = {};
+    Followed path = {};
+    /// The shortest one of the answers that have come.
+    Followed next = {};
+    std::size_t answers = 0;
   };
 
   bool ask(Questions& questions);
-  TracedPath step(const SentPath& sent) const;
-  void tell(const SentPath& sent, TracedPath& path, Message& answer);
+  struct Step
+  {
+    TracedPath path;
+    double through = 0.0;
+  };
+  Step step(const SentPath& sent) const;
+  void tell(Step& step, Message& answer) const;
   void hear(OwnPath& path, MessageReader& answer, const TakePath& take);
-  void addFollowed(TracedPath& traced, std::size_t firstPoint, OwnPath& path);
+  Followed followHere(TracedPath& traced, std::size_t firstPoint) const;
   std::vector<int> ranksAround(const TracedPath& path) const;
   PathToSource found(const OwnPath& path) const;
 

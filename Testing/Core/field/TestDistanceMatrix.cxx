@@ -51,7 +51,8 @@ struct MatrixCase
   std::vector<std::vector<double>> matrix(
     double maximumDistance = geodesic::Infinity, const Job& job = {}) const
   {
-    return geodesic::distanceMatrix(mesh, curves, Points, targets, maximumDistance, job);
+    return geodesic::distanceMatrix(
+      mesh, setsOf(curves, Points), setsOf(targets), maximumDistance, job);
   }
 
   Random random;
@@ -151,7 +152,8 @@ TEST_P(DistanceMatrices, HaveTheBitsOfTheFieldOfEachSourceForAnyTargetsAndInPara
       {
         EXPECT_EQ(matrix[i][j], field.distance(c.targets[j]));
         const auto alone =
-          geodesic::distanceMatrix(c.mesh, { c.curves[i] }, Points, { c.targets[j] });
+          geodesic::distanceMatrix(c.mesh, geodesic::setsOf({ c.curves[i] }, Points),
+            geodesic::setsOf(std::vector<SurfacePoint>{ c.targets[j] }));
         EXPECT_EQ(matrix[i][j], alone[i].front()) << "without other sources and targets";
       }
     }
@@ -193,8 +195,8 @@ TEST_P(DistanceMatrices, AreSolvedFromFewTargetsWithTheBitsOfTheirFields)
     const MatrixCase c(GetParam(), seed + 94000);
     const std::vector<SurfacePoint> few(c.targets.begin(), c.targets.begin() + 2);
     SolveCount count;
-    const std::vector<std::vector<double>> matrix =
-      geodesic::distanceMatrix(c.mesh, c.curves, Points, few, geodesic::Infinity, count.job());
+    const std::vector<std::vector<double>> matrix = geodesic::distanceMatrix(
+      c.mesh, setsOf(c.curves, Points), setsOf(few), geodesic::Infinity, count.job());
     const std::vector<std::vector<double>> square = c.matrix();
     const double largest = largestFinite(square);
     for (std::size_t i = 0; i < Points; ++i)
@@ -227,8 +229,8 @@ TEST(DistanceMatrix, TakesCurvesWithOneNumberForOneSourceAndNumbersWithoutCurves
   curves[0].source = 2;
   curves[1].source = 2;
   curves[2].source = 0;
-  const auto matrix = geodesic::distanceMatrix(
-    engine, curves, 3, { SurfacePoint::atVertex(0), SurfacePoint::onEdge(1, 0.2) });
+  const auto matrix = geodesic::distanceMatrix(engine, setsOf(curves, 3),
+    geodesic::setsOf({ SurfacePoint::atVertex(0), SurfacePoint::onEdge(1, 0.2) }));
   EXPECT_EQ(matrix[0].front(), 0.0);
   EXPECT_EQ(matrix[1], std::vector<double>(2, geodesic::Infinity));
   EXPECT_EQ(matrix[2].front(), 3.0);
@@ -286,7 +288,7 @@ struct Strip
     }
     SolveCount count;
     const auto matrix = geodesic::distanceMatrix(
-      mesh, curves, static_cast<Id>(sources.size()), places, maximum, count.job());
+      mesh, setsOf(curves, sources.size()), setsOf(places), maximum, count.job());
     for (std::size_t i = 0; i < sources.size(); ++i)
     {
       for (std::size_t j = 0; j < targets.size(); ++j)
@@ -333,7 +335,7 @@ TEST(DistanceMatrix, IsSolvedFromSourcesIfTargetsWouldHaveToGoFarther)
   EXPECT_EQ(strip.solve({ { 0 }, { 1 }, { 2 }, { 3 }, { 400 } }, { 0, 2, 4 }, 4.0), 3U);
 }
 
-TEST(DistanceMatrix, IsSolvedFromCurves)
+TEST(DistanceMatrix, OfCurvesIsSolvedFromTheSideOfFewer)
 {
   const Strip strip(10);
   std::vector<geodesic::SourceCurve> curves;
@@ -344,8 +346,8 @@ TEST(DistanceMatrix, IsSolvedFromCurves)
   const auto solves = [&]()
   {
     SolveCount count;
-    const auto matrix = geodesic::distanceMatrix(
-      strip.mesh, curves, 4, { Strip::at(10), Strip::at(9) }, geodesic::Infinity, count.job());
+    const auto matrix = geodesic::distanceMatrix(strip.mesh, setsOf(curves, 4),
+      geodesic::setsOf({ Strip::at(10), Strip::at(9) }), geodesic::Infinity, count.job());
     EXPECT_NEAR(matrix[3].front(), 4.0, 1e-12);
     return count.solves;
   };
@@ -353,5 +355,5 @@ TEST(DistanceMatrix, IsSolvedFromCurves)
   curves[3].points.insert(curves[3].points.begin(), Strip::at(5));
   curves[3].faces = { geodesic::commonFace(strip.mesh, Strip::at(5), Strip::at(6)) };
   curves[3].isCut = { 0, 0 };
-  EXPECT_EQ(solves(), 4U);
+  EXPECT_EQ(solves(), 2U);
 }

@@ -238,7 +238,7 @@ void expectGradientsRight(const Solved& s, double accuracy)
     const Id face = geodesic::TriangleMesh::faceOf(piece.ray.halfedge);
     const geodesic::Barycentric at =
       geodesic::barycentric(s.mesh, inFaceOrAtCorner(s.mesh, s.points[i], face), face);
-    const double pieceLength = geodesic::norm(piece.ray.direction);
+    const double pieceLength = geodesic::norm(piece.ray.vector);
     const geodesic::FaceShape& shape = s.mesh.shape(face);
     const double step = 1e-3 * std::min(shape.area2 / shape.longest(), s.truth[i]);
     geodesic::Vec2 corners[3];
@@ -247,7 +247,7 @@ void expectGradientsRight(const Solved& s, double accuracy)
       corners[k] =
         geodesic::inHalfedgeFrame(s.mesh, piece.ray.halfedge, geodesic::cornerWeights(k));
     }
-    const geodesic::Vec2 move = (-step / pieceLength) * piece.ray.direction;
+    const geodesic::Vec2 move = (-step / pieceLength) * piece.ray.vector;
     geodesic::Barycentric change;
     double part = 1.0; // of the step, to stay in the face
     for (std::size_t k = 0; k < 3; ++k)

@@ -255,8 +255,8 @@ const std::vector<Answer> Answers = {
   { "matrix",
     [](const Question& q, const Job& job)
     {
-      distanceMatrix(q.mesh, q.sources, static_cast<geodesic::Id>(q.sources.size()), q.points,
-        geodesic::Infinity, job);
+      distanceMatrix(
+        q.mesh, setsOf(q.sources, q.sources.size()), setsOf(q.points), geodesic::Infinity, job);
     } },
 };
 
