@@ -73,8 +73,9 @@ private:
       .holdsOneOf(this->values_);
   }
 
-  // Distances beyond the front may still fall, down to its key. Beyond the needed distance they are
-  // never final.
+  // Distances beyond the front may still fall, down to its key and, where windows wait for a far
+  // vertex, below it: then a face is missing in the end. Beyond the needed distance they are never
+  // final.
   void takePassed(const FrontState& front)
   {
     const double certain = std::min(front.key, this->neededDistance_);

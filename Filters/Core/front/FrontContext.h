@@ -147,7 +147,7 @@ struct FrontContext
   Id mostFaces;
   /// The number of the current batch.
   Id batch = 0;
-  /// The key at which the batch began: no path yet to be found is shorter.
+  /// FrontState::key
   double key = 0.0;
   /// The longest path that is looked for in the corridor.
   double longestPath;

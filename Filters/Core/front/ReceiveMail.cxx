@@ -160,9 +160,10 @@ DistanceUpdate arrivalThrough(
   return update;
 }
 
-// What comes from now on is no shorter than the key. Where paths by way of the apex are as short
-// everywhere on the halfedge, nothing can gain there. The apex is the district's own; another
-// district may be shortening the distances of the halfedge's ends.
+// What comes from now on is seldom shorter than the key. Where paths by way of the apex are as
+// short as the key everywhere on the halfedge, nothing gains there but windows that have waited for
+// a far vertex. The apex is the district's own; another district may be shortening the distances of
+// the halfedge's ends.
 bool canGainOn(const FrontContext& front, const District& district, Id halfedge)
 {
   const double toFartherEnd = std::max(front.mesh.length(TriangleMesh::nextInFace(halfedge)),

@@ -35,7 +35,8 @@ struct VertexNumbers
 /// The state of the front at the end of a batch.
 struct FrontState
 {
-  /// The key at which the batch began: no path yet to be found is shorter.
+  /// The key at which the batch began. Shorter paths may still come, by windows that wait for a
+  /// far vertex.
   double key;
   /// The vertices of the batch.
   const std::vector<Id>& settled;

@@ -24,7 +24,7 @@ public:
   {
   }
 
-  /// The key at which the last batch began: no path yet to be found is shorter.
+  /// The key at which the last batch began.
   double key() const { return this->key_; }
 
   /// The last key of the current batch: what lies beyond it waits.
