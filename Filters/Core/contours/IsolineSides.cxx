@@ -115,21 +115,14 @@ private:
     return chords;
   }
 
-  /// Adds the point where the side changes. It is moved along the ray that comes to it, to the
-  /// value of the line: along a ray the distance changes as much as the place.
-  Id addChange(const Isoline& line, std::size_t chord, bool isRightBefore)
+  /// A point of a chord, moved along the ray that comes to it, to the value of the line: along a
+  /// ray the distance changes as much as the place.
+  SurfacePoint onLine(const Isoline& line, std::size_t chord, double t) const
   {
-    double begin = tolerance::BesideChordEnd;
-    double end = 1.0 - tolerance::BesideChordEnd;
-    for (int i = 0; i < Halvings; ++i)
-    {
-      const double middle = 0.5 * (begin + end);
-      (this->isOnRightAt(line, chord, middle) == isRightBefore ? begin : end) = middle;
-    }
     const Id face = line.faces[chord];
     const Id frame = longestHalfedge(this->mesh_, face);
-    const IncomingSegment piece = this->pieceTo(line, chord, begin);
-    Vec2 at = inHalfedgeFrame(this->mesh_, frame, this->onChord(line, chord, begin));
+    const IncomingSegment piece = this->pieceTo(line, chord, t);
+    Vec2 at = inHalfedgeFrame(this->mesh_, frame, this->onChord(line, chord, t));
     const double length = norm(piece.ray.vector);
     if (piece.ray.halfedge != NoId && TriangleMesh::faceOf(piece.ray.halfedge) == face &&
       length > 0.0)
@@ -140,8 +133,23 @@ private:
         incomingSegmentTo(this->field_, this->result.points[line.points[chord]]).distance;
       at = at + (value - piece.distance) * along;
     }
-    this->result.points.push_back(
-      fromBarycentric(this->mesh_, face, fromHalfedgeFrame(this->mesh_, frame, at)));
+    return fromBarycentric(this->mesh_, face, fromHalfedgeFrame(this->mesh_, frame, at));
+  }
+
+  /// Adds the point of the line where the side changes. On the chord the change may be elsewhere,
+  /// and from there a ray leads to where the other side is nearer.
+  Id addChange(const Isoline& line, std::size_t chord, bool isRightBefore)
+  {
+    double begin = tolerance::BesideChordEnd;
+    double end = 1.0 - tolerance::BesideChordEnd;
+    for (int i = 0; i < Halvings; ++i)
+    {
+      const double middle = 0.5 * (begin + end);
+      const bool isRight = this->isOnRight_(
+        this->nearest_.of(incomingSegmentTo(this->field_, this->onLine(line, chord, middle))));
+      (isRight == isRightBefore ? begin : end) = middle;
+    }
+    this->result.points.push_back(this->onLine(line, chord, begin));
     return static_cast<Id>(this->result.points.size() - 1);
   }
 
