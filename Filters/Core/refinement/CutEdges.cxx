@@ -92,8 +92,8 @@ void CutEdges::split(const EdgeSplit& split)
   const double to = this->placeOfEnd(edge, split.piece + 1);
   const Id number = this->mesh_.numberOfVertices() + static_cast<Id>(this->points_.size());
   this->points_.push_back({ edge, from + split.weight * (to - from), split.distance,
-    { this->endOfPiece(edge, split.piece), this->endOfPiece(edge, split.piece + 1) },
-    split.weight });
+    { this->endOfPiece(edge, split.piece), this->endOfPiece(edge, split.piece + 1) }, split.weight,
+    split.reason == SplitReason::Shape });
   const auto piece = static_cast<std::ptrdiff_t>(split.piece);
   e.points.insert(e.points.begin() + piece, number);
   e.pieces[split.piece] = Deviation::unknown();

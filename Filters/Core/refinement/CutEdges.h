@@ -24,6 +24,8 @@ struct PointOnEdge
   /// Points are numbered: the mesh's vertices, then these.
   std::array<Id, 2> parents;
   double weight;
+  /// Whether shapes alone have asked for it.
+  bool isForShape;
 };
 
 /// An edge of the input under refinement, whose points all faces around it share.

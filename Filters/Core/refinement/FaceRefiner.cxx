@@ -28,6 +28,11 @@ constexpr double AngleMargin = 1.05;
 // the longest.
 constexpr double UnequalSides = 1.9;
 
+// A face may be split this often for its shapes, and this often more for each point that errors
+// need. On sides of thin faces a split may leave sides as unequal as before, again and again.
+constexpr Id SplitsForShape = 16;
+constexpr Id SplitsForShapePerPoint = 4;
+
 // A new point inside keeps this fraction of half the side that it splits away from the sides of the
 // face. Else its triangles there would be thin unless the face's side gets a point, too.
 constexpr double DistanceFromSides = 0.2;
@@ -211,6 +216,10 @@ void FaceRefiner::mendError(const OpenPart& open)
 void FaceRefiner::mendShape(const OpenPart& open)
 {
   const FaceTriangles::Part& part = this->face_->parts()[open.part];
+  if (!this->mayImproveShape())
+  {
+    return;
+  }
   const std::array<Vec2, 3> places = this->face_->places(part.corners);
   const auto lengths = lengthsOf(places);
   const std::size_t k = longestOnSide(part, lengths);
@@ -235,6 +244,14 @@ void FaceRefiner::mendShape(const OpenPart& open)
     this->faces_.pieceBetween(*this->face_, part.corners[k], part.corners[next]);
   const double weight = way / lengths[k];
   this->request(open, piece, isNearBegin != piece.isReversed ? weight : 1.0 - weight);
+}
+
+// Errors need all points but those that shapes alone have asked for.
+bool FaceRefiner::mayImproveShape() const
+{
+  const Id forShapes = this->face_->pointsForShapes();
+  const Id forErrors = static_cast<Id>(this->face_->points().size()) - forShapes;
+  return forShapes < SplitsForShape + SplitsForShapePerPoint * forErrors;
 }
 
 bool FaceRefiner::flipIfBoth(Id part, std::size_t k)
@@ -296,6 +313,7 @@ void FaceRefiner::splitInside(const OpenPart& open, Id part, std::size_t k, doub
   point.here = point.distance;
   point.parents = { a, b };
   point.weight = weight;
+  point.isForShape = open.reason == SplitReason::Shape;
   this->face_->split(part, k, this->face_->addPoint(point));
   this->face_->flipChanged();
 }

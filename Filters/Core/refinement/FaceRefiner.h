@@ -56,6 +56,7 @@ private:
   void splitInside(const OpenPart& open, Id part, std::size_t side, double weight);
   bool asksBeside(const OpenPart& open, const FaceTriangles::Point& point, double length);
   void request(const OpenPart& open, const PieceOfEdge& piece, double weight);
+  bool mayImproveShape() const;
 
   const RefinedFaces& faces_;
   double tolerance_;

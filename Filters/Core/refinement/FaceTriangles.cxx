@@ -54,6 +54,7 @@ bool FaceTriangles::isTriangle(const Triangle& c) const
 Id FaceTriangles::addPoint(const Point& point)
 {
   this->points_.push_back(point);
+  this->pointsForShapes_ += point.isForShape ? 1 : 0;
   return static_cast<Id>(this->points_.size()) - 1;
 }
 

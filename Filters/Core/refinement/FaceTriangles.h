@@ -36,6 +36,8 @@ public:
     double weight = 0.0;
     /// A bit for each of the face's sides on which it lies.
     std::uint8_t sides = 0;
+    /// Whether shapes alone have asked for it.
+    bool isForShape = false;
   };
 
   struct Part
@@ -77,6 +79,7 @@ public:
   }
 
   const Side& side(std::size_t side) const { return this->sides_[side]; }
+  Id pointsForShapes() const { return this->pointsForShapes_; }
   /// The side of the face on which both points lie; 3 if there is none.
   std::size_t sideWith(Id a, Id b) const;
   /// The fraction of the way along a side at a point on it.
@@ -112,6 +115,7 @@ private:
   std::vector<Part> parts_;
   std::array<Side, 3> sides_;
   std::vector<Id> changed_;
+  Id pointsForShapes_ = 0;
 };
 
 }

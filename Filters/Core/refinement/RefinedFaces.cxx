@@ -78,6 +78,7 @@ FaceTriangles::Point RefinedFaces::pointOnEdge(
   point.here = distance.isExact() ? on.distance : distance.distance(point.place);
   point.number = number;
   point.sides = static_cast<std::uint8_t>(1U << side);
+  point.isForShape = on.isForShape;
   return point;
 }
 

@@ -179,10 +179,12 @@ TEST(RefinementOfAnySurface, EndsSoon)
 }
 
 // The edges of the first have thousands of windows: 19 s, when each was compared with all. On the
-// others rays wind around tubes of caps, back to back: minutes, when they did so to the end.
-TEST(RefinementOfAnySurface, EndsSoonWhereThousandsOfWindowsCoverAnEdge)
+// others rays wind around tubes of caps, back to back: minutes, when they did so to the end. On the
+// last one a thin face would be split for its shapes again and again, without a limit of that.
+TEST(RefinementOfAnySurface, EndsSoonOnTheSlowestSurfaces)
 {
-  for (const std::uint64_t seed : { 140244U, 132911U, 137807U, 143061U, 146272U, 147286U, 141167U })
+  for (const std::uint64_t seed :
+    { 140244U, 132911U, 137807U, 143061U, 146272U, 147286U, 141167U, 142383U })
   {
     Random random(seed);
     EXPECT_LT(refineAnySurface(random), 5.0) << "seed " << seed;
