@@ -140,6 +140,20 @@ FaceCheck::Result FaceCheck::of(const Triangle& corners)
   return result;
 }
 
+// The distance changes by no more than the length moved from a corner.
+double FaceCheck::boundBySize(const Triangle& corners) const
+{
+  double largest = 0.0;
+  double difference = 0.0;
+  for (const Id corner : corners)
+  {
+    const FaceTriangles::Point& point = this->face_->points()[corner];
+    largest = std::max(largest, point.distance);
+    difference = std::max(difference, std::abs(point.here - point.distance));
+  }
+  return longestEdge(this->face_->places(corners)) + difference + tolerance::FaceRounding * largest;
+}
+
 // Each end of a segment is a source of its own.
 double FaceCheck::belowAtSources(const LinearPiece& piece) const
 {

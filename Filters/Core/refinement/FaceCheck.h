@@ -43,6 +43,8 @@ public:
   /// The deviation along a side between two points of the face.
   Deviation deviationOf(Id a, Id b);
   Result of(const Triangle& corners);
+  /// A bound that also triangles over the tolerance have.
+  double boundBySize(const Triangle& corners) const;
 
 private:
   /// A triangle of the face's plane with a linear function, given by its values at the corners.

@@ -37,6 +37,12 @@ constexpr Id SplitsForShapePerPoint = 4;
 // face. Else its triangles there would be thin unless the face's side gets a point, too.
 constexpr double DistanceFromSides = 0.2;
 
+// A face has at most so many triangles, and so many more for each square of the tolerance. Where
+// the distance is uneven by rounding, or by merging, thin ones might be split for ever. What is
+// left then is over the tolerance.
+constexpr double MostParts = 1000.0;
+constexpr double MostPartsOfSize = 100.0;
+
 // A large face takes several rounds, between which triangles are counted and the watcher can stop.
 constexpr int StepsInRound = 2048;
 
@@ -89,7 +95,9 @@ bool FaceRefiner::refine(
       this->assess(part);
     }
   }
-  for (int step = 0; !this->open_.empty(); ++step)
+  const double across = longestEdge(face.places({ 0, 1, 2 })) / this->tolerance_;
+  const double mostParts = MostParts + MostPartsOfSize * across * across;
+  for (int step = 0; !this->open_.empty() && face.numberOfParts() <= mostParts; ++step)
   {
     if (step == StepsInRound)
     {
@@ -110,6 +118,11 @@ bool FaceRefiner::refine(
         this->open_.push(open); // another triangle on the way to the longest side was split
       }
     }
+  }
+  for (Id part = 0; !this->open_.empty() && part < face.numberOfParts(); ++part)
+  {
+    FaceTriangles::Part& p = face.part(part);
+    p.bound = p.hasPassed() ? p.bound : this->check_.boundBySize(p.corners);
   }
   return true;
 }

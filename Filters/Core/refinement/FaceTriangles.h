@@ -46,7 +46,8 @@ public:
     /// The triangle across the side from corner k to corner k + 1; NoId on a side of the face.
     std::array<Id, 3> across = { NoId, NoId, NoId };
     /// Certified: the difference to the distance is nowhere larger. Infinite until the triangle has
-    /// been found to be within the tolerance, and while it waits for a point on an edge.
+    /// been found to be within the tolerance, or is left as it is, and while it waits for a point
+    /// on an edge.
     double bound = Infinity;
     /// How often it has changed.
     Id version = 0;
