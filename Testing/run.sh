@@ -76,8 +76,7 @@ if [ -n "$all" ]; then
   build "$builds/threads" "${sanitized[@]}" -DGEODESIC_SANITIZE=thread
 fi
 if [ -n "$v3" ]; then
-  # Without precompiled headers, so that each file includes what it needs.
-  build "$builds/v3" -DGEODESIC_CORE_ONLY=ON "-DCMAKE_CXX_FLAGS=$v3 -ffast-math" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
+  build "$builds/v3" -DGEODESIC_CORE_ONLY=ON "-DCMAKE_CXX_FLAGS=$v3 -ffast-math" \
     "-DGEODESIC_TEST_FILES=TestShortestPath|TestFacePropagation|TestTrigonometry"
 fi
 if [ -n "$vtk" ]; then
