@@ -93,9 +93,9 @@ private:
       this->field_, fromBarycentric(this->mesh_, line.faces[chord], this->onChord(line, chord, t)));
   }
 
-  bool isOnRightAt(const Isoline& line, std::size_t chord, double t)
+  bool isOnRightAt(const IncomingSegment& piece)
   {
-    return this->isOnRight_(this->nearest_.of(this->pieceTo(line, chord, t)));
+    return this->isOnRight_(this->nearest_.of(piece));
   }
 
   std::vector<SidedChord> withSides(const Isoline& line)
@@ -104,8 +104,9 @@ private:
     for (std::size_t chord = 0; chord < line.faces.size(); ++chord)
     {
       this->job_.look(this->chordsDone_++ / this->chords_);
-      const bool before = this->isOnRightAt(line, chord, tolerance::BesideChordEnd);
-      const bool behind = this->isOnRightAt(line, chord, 1.0 - tolerance::BesideChordEnd);
+      const bool before = this->isOnRightAt(this->pieceTo(line, chord, tolerance::BesideChordEnd));
+      const bool behind =
+        this->isOnRightAt(this->pieceTo(line, chord, 1.0 - tolerance::BesideChordEnd));
       if (before != behind)
       {
         chords.push_back({ line.faces[chord], this->addChange(line, chord, before), before });
@@ -117,7 +118,7 @@ private:
 
   /// A point of a chord, moved along the ray that comes to it, to the value of the line: along a
   /// ray the distance changes as much as the place.
-  SurfacePoint onLine(const Isoline& line, std::size_t chord, double t) const
+  SurfacePoint onLine(const Isoline& line, std::size_t chord, double t, double value) const
   {
     const Id face = line.faces[chord];
     const Id frame = longestHalfedge(this->mesh_, face);
@@ -129,8 +130,6 @@ private:
     {
       const Vec2 along =
         turned(this->mesh_, (1.0 / length) * piece.ray.vector, piece.ray.halfedge, frame);
-      const double value =
-        incomingSegmentTo(this->field_, this->result.points[line.points[chord]]).distance;
       at = at + (value - piece.distance) * along;
     }
     return fromBarycentric(this->mesh_, face, fromHalfedgeFrame(this->mesh_, frame, at));
@@ -140,16 +139,18 @@ private:
   /// and from there a ray leads to where the other side is nearer.
   Id addChange(const Isoline& line, std::size_t chord, bool isRightBefore)
   {
+    const double value =
+      incomingSegmentTo(this->field_, this->result.points[line.points[chord]]).distance;
     double begin = tolerance::BesideChordEnd;
     double end = 1.0 - tolerance::BesideChordEnd;
     for (int i = 0; i < Halvings; ++i)
     {
       const double middle = 0.5 * (begin + end);
-      const bool isRight = this->isOnRight_(
-        this->nearest_.of(incomingSegmentTo(this->field_, this->onLine(line, chord, middle))));
+      const bool isRight = this->isOnRightAt(
+        incomingSegmentTo(this->field_, this->onLine(line, chord, middle, value)));
       (isRight == isRightBefore ? begin : end) = middle;
     }
-    this->result.points.push_back(this->onLine(line, chord, begin));
+    this->result.points.push_back(this->onLine(line, chord, begin, value));
     return static_cast<Id>(this->result.points.size() - 1);
   }
 

@@ -109,19 +109,15 @@ Deviation FaceCheck::deviationOf(Id a, Id b)
 FaceCheck::Result FaceCheck::of(const Triangle& corners)
 {
   LinearPiece linear;
-  double largest = 0.0;
-  double difference = 0.0;
   Deviation onSides;
   for (std::size_t k = 0; k < 3; ++k)
   {
     const FaceTriangles::Point& point = this->face_->points()[corners[k]];
     linear.corners[k] = point.place;
     linear.values[k] = point.here;
-    largest = std::max(largest, point.distance);
-    difference = std::max(difference, std::abs(point.here - point.distance));
     onSides.widen(this->deviationOf(corners[k], corners[(k + 1) % 3]));
   }
-  const double rounding = tolerance::FaceRounding * largest;
+  const auto [difference, rounding] = this->differenceAt(corners);
   const double limit = std::max(this->tolerance_ - difference - rounding, 0.5 * this->tolerance_);
   const bool isSmall = longestEdge(linear.corners) <= limit;
   if (onSides.largest() > limit && !isSmall)
@@ -143,6 +139,12 @@ FaceCheck::Result FaceCheck::of(const Triangle& corners)
 // The distance changes by no more than the length moved from a corner.
 double FaceCheck::boundBySize(const Triangle& corners) const
 {
+  const auto [difference, rounding] = this->differenceAt(corners);
+  return longestEdge(this->face_->places(corners)) + difference + rounding;
+}
+
+FaceCheck::Difference FaceCheck::differenceAt(const Triangle& corners) const
+{
   double largest = 0.0;
   double difference = 0.0;
   for (const Id corner : corners)
@@ -151,7 +153,7 @@ double FaceCheck::boundBySize(const Triangle& corners) const
     largest = std::max(largest, point.distance);
     difference = std::max(difference, std::abs(point.here - point.distance));
   }
-  return longestEdge(this->face_->places(corners)) + difference + tolerance::FaceRounding * largest;
+  return { difference, tolerance::FaceRounding * largest };
 }
 
 // Each end of a segment is a source of its own.

@@ -62,6 +62,15 @@ private:
     std::array<std::size_t, 3> row;
   };
 
+  /// By how much the values at the corners of a triangle differ from the distance in the face
+  /// there, and the rounding of the largest one.
+  struct Difference
+  {
+    double difference;
+    double rounding;
+  };
+
+  Difference differenceAt(const Triangle& corners) const;
   double belowAtSources(const LinearPiece& piece) const;
   Result above(const LinearPiece& piece, double onEdges, double limit);
   Result search(const LinearPiece& piece, double onEdges, double limit);

@@ -203,8 +203,8 @@ std::vector<FaceEdge> addTriangles(
         addCorner(surface, t, k, block, isGhost, candidates[number]);
         if (const Id next = t[(k + 1) % 3]; !isGhost && numbers[next] != NoId)
         {
-          const auto [low, high] = std::minmax({ vertices.labelOf(t[k]), vertices.labelOf(next) });
-          edges.push_back({ low, high, vertices.labelOf(t[(k + 2) % 3]) });
+          edges.push_back(
+            { vertices.labelOf(t[k]), vertices.labelOf(next), vertices.labelOf(t[(k + 2) % 3]) });
         }
       }
     });
