@@ -6,6 +6,7 @@
 #include "front/Retention.h"
 
 #include <array>
+#include <memory_resource>
 #include <vector>
 
 namespace geodesic
@@ -66,7 +67,7 @@ struct MeasuredList
 };
 
 /// The lists that have passed through a face, in this order.
-using MeasuredLists = std::vector<MeasuredList>;
+using MeasuredLists = std::pmr::vector<MeasuredList>;
 
 /// Measures a list while its windows are in the cache.
 ///

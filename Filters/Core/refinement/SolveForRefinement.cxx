@@ -45,7 +45,7 @@ RefinementRetention::RefinementRetention(
   , tolerance_(tolerance)
   , state_(mesh_.numberOfFaces(), State::Open)
   , neededBy_(mesh_.numberOfFaces(), 0)
-  , lists_(mesh_.numberOfFaces())
+  , lists_(mesh_.numberOfFaces(), &memory_)
 {
   this->job_.part(0.0, 0.0).loop(mesh_.numberOfFaces(),
     [&](std::size_t i)
@@ -194,7 +194,7 @@ void RefinementRetention::dropIfUnneeded(Id face, const FrontState& front)
     {
       front.free(measured.list.windows);
     }
-    this->lists_[face] = {};
+    MeasuredLists(&this->memory_).swap(this->lists_[face]);
   }
 }
 

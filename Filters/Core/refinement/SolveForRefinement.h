@@ -9,6 +9,7 @@
 #include "refinement/FaceBounds.h"
 
 #include <functional>
+#include <memory_resource>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -73,8 +74,9 @@ private:
   std::vector<State> state_;
   /// The number of neighbours that may need a linear face's windows.
   std::vector<Id> neededBy_;
-  /// The lists of each face that are still kept.
-  std::vector<MeasuredLists> lists_;
+  /// The lists of each face that are still kept. Their memory serves faces that come later.
+  std::pmr::unsynchronized_pool_resource memory_;
+  std::pmr::vector<MeasuredLists> lists_;
   using Awaited = std::pair<double, Id>;
   std::priority_queue<Awaited, std::vector<Awaited>, std::greater<Awaited>> awaited_;
   /// The lists that each district has handed over in this batch.
