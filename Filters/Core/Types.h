@@ -19,6 +19,12 @@ namespace geodesic
 /// TriangleMesh refuses more with MeshTooLarge. Counts of windows are 64-bit.
 using Id = std::uint32_t;
 
+/// The number of a vertex in the whole surface, which several ranks may share
+/// (MeshPartition::globalId()). Does not convert to the number in a mesh by itself.
+enum class GlobalId : Id
+{
+};
+
 constexpr Id NoId = std::numeric_limits<Id>::max();
 /// The number of vertices that a surface may have: RayOrigin has 31 bits for their ids.
 constexpr Id MaximumVertices = 0x7fffffffU;
@@ -69,6 +75,7 @@ using UninitializedVector = std::vector<Value, UninitializedAllocator<Value>>;
 
 using Vec3 = std::array<double, 3>;
 using Triangle = std::array<Id, 3>;
+using GlobalTriangle = std::array<GlobalId, 3>;
 
 /// Whether no vertex is named twice.
 inline bool hasThreeVertices(const Triangle& t)

@@ -282,7 +282,7 @@ struct InputReader
       for (SurfacePoint& point : loop.points)
       {
         // Vertices that only barriers have keep their numbers, behind those of the patch.
-        point.id = point.id < globalIds ? patch.vertexAt(point.id) : point.id;
+        point.id = point.id < globalIds ? patch.vertexAt(GlobalId{ point.id }) : point.id;
       }
     }
     const bool isClosed = loops.empty();

@@ -186,12 +186,12 @@ std::vector<SourceCurve> curvesOn(const MeshPartition& part, const ReplicatedPat
       put(message, part.globalId(vertex));
     }
   }
-  std::unordered_map<Id, std::size_t> placeOfNumber;
+  std::unordered_map<geodesic::GlobalId, std::size_t> placeOfNumber;
   readEach(part.exchange().tellAll(message),
     [&](int, MessageReader& reader)
     {
       const auto place = reader.get<std::size_t>();
-      placeOfNumber[reader.get<Id>()] = place;
+      placeOfNumber[reader.get<geodesic::GlobalId>()] = place;
     });
   SourceCurve curve;
   curve.points.resize(source.points.size());

@@ -109,7 +109,7 @@ FieldOnRanks fieldOnRanks(const CutMesh& cut, const Scene& scene)
       // Also at the halo's vertices, which other ranks own.
       for (std::size_t vertex = 0; vertex < front.vertexDistances.size(); ++vertex)
       {
-        const geodesic::Id number = rank.part.globalId(static_cast<geodesic::Id>(vertex));
+        const auto number = static_cast<Id>(rank.part.globalId(static_cast<Id>(vertex)));
         const double distance = front.vertexDistances[vertex];
         EXPECT_EQ(atVertex.emplace(number, distance).first->second, distance)
           << "ranks differ at vertex " << number;
@@ -405,7 +405,7 @@ private:
     {
       if (point < refined.numberOfInputPoints)
       {
-        return { rank.part.mesh().point(point), rank.part.globalId(point) };
+        return { rank.part.mesh().point(point), static_cast<Id>(rank.part.globalId(point)) };
       }
       const RefinedPoint& added = refined.points[point - refined.numberOfInputPoints];
       return { added.position, added.distance };
@@ -461,7 +461,8 @@ private:
       {
         if (point < 3)
         {
-          return { rank.part.mesh().point(corners[point]), rank.part.globalId(corners[point]) };
+          return { rank.part.mesh().point(corners[point]),
+            static_cast<Id>(rank.part.globalId(corners[point])) };
         }
         return { told[i].points[point - 3].position, told[i].points[point - 3].distance };
       };

@@ -73,7 +73,7 @@ TEST(SeamsOfRanks, VerticesWherePathsAreEquallyLongHaveOneArrivalOnAllRanks)
     [&](const CutMesh& cut)
     {
       std::mutex mutex;
-      std::map<Index, geodesic::RayOrigin> origins;
+      std::map<geodesic::GlobalId, geodesic::RayOrigin> origins;
       onRanks(cut, curves, 0,
         [&](const RankOfRun& rank)
         {
@@ -85,7 +85,7 @@ TEST(SeamsOfRanks, VerticesWherePathsAreEquallyLongHaveOneArrivalOnAllRanks)
           {
             const geodesic::RayOrigin origin = field.arrivals()[vertex].origin;
             const auto at = origins.emplace(rank.part.globalId(vertex), origin).first;
-            EXPECT_EQ(at->second, origin) << "vertex " << at->first;
+            EXPECT_EQ(at->second, origin) << "vertex " << static_cast<Id>(at->first);
           }
         });
     });

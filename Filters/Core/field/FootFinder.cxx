@@ -107,9 +107,9 @@ const FanAround& FootFinder::fanAt(Id chain, double parameter)
   return *this->fan_;
 }
 
-const VertexOnCurve* FootFinder::onCurveAt(Id globalId) const
+const VertexOnCurve* FootFinder::onCurveAt(GlobalId id) const
 {
-  return this->curves_.find(this->curves_.patch().vertexAt(globalId));
+  return this->curves_.find(this->curves_.patch().vertexAt(id));
 }
 
 Foot FootFinder::footOf(const PathOrigin& path) const

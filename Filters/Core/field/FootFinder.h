@@ -118,7 +118,7 @@ public:
 
 protected:
   const DistanceField& field() const { return this->field_; }
-  const VertexOnCurve* onCurveAt(Id globalId) const;
+  const VertexOnCurve* onCurveAt(GlobalId id) const;
   PathOrigin atPoint(const SideOfCurve& side) const;
 
 private:

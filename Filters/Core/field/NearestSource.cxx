@@ -81,14 +81,14 @@ Foot NearestSource::of(const IncomingSegment& piece)
   return this->footOf(path.origin.isVertex() ? this->ofVertex(path.origin.vertex()) : path);
 }
 
-PathOrigin NearestSource::ofVertex(Id globalId) const
+PathOrigin NearestSource::ofVertex(GlobalId id) const
 {
-  const Id vertex = this->field().surface().countedVertex(globalId);
+  const Id vertex = this->field().surface().countedVertex(id);
   if (vertex != NoId)
   {
     return this->origins_[vertex];
   }
-  const auto found = this->elsewhere_.find(globalId);
+  const auto found = this->elsewhere_.find(id);
   return found != this->elsewhere_.end() ? found->second : PathOrigin();
 }
 

@@ -37,12 +37,12 @@ public:
 private:
   void follow(Id vertex);
   bool isFromCurve(const IncomingSegment& piece) const;
-  PathOrigin ofVertex(Id globalId) const;
+  PathOrigin ofVertex(GlobalId id) const;
 
   /// The origin of the path to each vertex.
   std::vector<PathOrigin> origins_;
-  /// Those of vertices that other ranks count, by their global ids; none in one process.
-  std::unordered_map<Id, PathOrigin> elsewhere_;
+  /// Those of vertices that other ranks count; none in one process.
+  std::unordered_map<GlobalId, PathOrigin> elsewhere_;
 };
 
 }

@@ -61,7 +61,7 @@ Origins originsElsewhere(const DistanceField& field, std::vector<PathOrigin>& at
   const auto known = [&](const PathOrigin& path)
   { return isOpen(path) ? elsewhere[path.origin.vertex()] : path; };
   std::vector<PathOrigin*> asked;
-  followOnRanks<Id>(
+  followOnRanks<GlobalId>(
     part.exchange(), {},
     [&](Questions& questions)
     {
@@ -70,15 +70,15 @@ Origins originsElsewhere(const DistanceField& field, std::vector<PathOrigin>& at
       {
         if (isOpen(path))
         {
-          const Id vertex = path.origin.vertex();
+          const GlobalId vertex = path.origin.vertex();
           questions.ask(part.rankCounting(vertex), asked.size(), vertex);
           asked.push_back(&path);
         }
       }
       return !asked.empty();
     },
-    [&](Id vertex) { return known(atVertices[part.countedVertex(vertex)]); },
-    [](Id, const PathOrigin& path, Message& answer) { put(answer, path); },
+    [&](GlobalId vertex) { return known(atVertices[part.countedVertex(vertex)]); },
+    [](GlobalId, const PathOrigin& path, Message& answer) { put(answer, path); },
     [&](std::size_t i, MessageReader& answer) { *asked[i] = answer.get<PathOrigin>(); },
     MaximumSteps);
   for (auto& [number, path] : elsewhere)
@@ -87,7 +87,7 @@ Origins originsElsewhere(const DistanceField& field, std::vector<PathOrigin>& at
   }
   for (Id vertex = 0; vertex < atVertices.size(); ++vertex)
   {
-    const Id number = part.globalId(vertex);
+    const GlobalId number = part.globalId(vertex);
     PathOrigin& path = atVertices[vertex];
     path = part.countedVertex(number) == NoId ? elsewhere[number] : known(path);
   }

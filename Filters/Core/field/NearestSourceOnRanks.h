@@ -10,8 +10,8 @@
 namespace geodesic
 {
 
-/// Origins on the source by the global ids of vertices.
-using Origins = std::unordered_map<Id, PathOrigin>;
+/// Origins on the source of paths to vertices.
+using Origins = std::unordered_map<GlobalId, PathOrigin>;
 
 /// Finds the origins of paths that come from vertices counted by other ranks: of the vertices of
 /// this rank's part that are not counted here, and of those that its windows name. A chain of
@@ -25,7 +25,7 @@ using Origins = std::unordered_map<Id, PathOrigin>;
 /// \param atVertices the origin of the path to each vertex of the part. For vertices counted here
 ///        it is a point of the source, or, still open, a vertex counted elsewhere. Open origins are
 ///        replaced, and origins of vertices counted elsewhere are set.
-/// \returns the origins by the vertices' global ids; paths may have none.
+/// \returns the origins; paths may have none.
 Origins originsElsewhere(const DistanceField& field, std::vector<PathOrigin>& atVertices);
 
 }

@@ -120,21 +120,21 @@ private:
     for (const std::uint64_t count :
       valuesOfRanks<std::uint64_t>(this->exchange_, this->counted.size()))
     {
-      this->firstOfRank.push_back(static_cast<Id>(all));
+      this->firstOfRank.push_back(static_cast<GlobalId>(all));
       all += count;
     }
     this->numberOfGlobalVertices = checkedId(all, "points");
-    Id number = this->firstOfRank[rankIndex(this->exchange_.rank())];
+    Id number = static_cast<Id>(this->firstOfRank[rankIndex(this->exchange_.rank())]);
     this->globalIds.resize(this->numberOfOwnVertices);
     std::vector<Message> messages = this->exchange_.noMessages();
     for (const Id vertex : this->counted)
     {
-      this->globalIds[vertex] = number;
+      this->globalIds[vertex] = GlobalId{ number };
       for (const RankAddress& other : this->othersWith(vertex))
       {
         Message& message = messages[rankIndex(other.rank)];
         put(message, other.id);
-        put(message, number);
+        put(message, this->globalIds[vertex]);
         put(message, points[vertex]);
       }
       ++number;
@@ -143,7 +143,7 @@ private:
       [&](int, MessageReader& reader)
       {
         const Id vertex = reader.get<Id>();
-        this->globalIds[vertex] = reader.get<Id>();
+        this->globalIds[vertex] = reader.get<GlobalId>();
         points[vertex] = reader.get<Vec3>();
       });
   }
@@ -180,7 +180,7 @@ private:
   void makeMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
     const std::vector<SentFace>& received, const Job& job)
   {
-    std::unordered_map<Id, Id> vertexOf;
+    std::unordered_map<GlobalId, Id> vertexOf;
     for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
     {
       if (this->othersWith(vertex).size() > 0)
@@ -327,31 +327,32 @@ Id MeshPartition::copyOf(const RankAddress& face) const
 }
 
 // A rank that counts no vertex begins at the same id as the next rank.
-int MeshPartition::rankCounting(Id globalId) const
+int MeshPartition::rankCounting(GlobalId id) const
 {
   if (!this->tables_)
   {
     return 0;
   }
-  const std::vector<Id>& first = this->tables_->firstOfRank;
-  const auto behind = std::upper_bound(first.begin(), first.end(), globalId);
+  const std::vector<GlobalId>& first = this->tables_->firstOfRank;
+  const auto behind = std::upper_bound(first.begin(), first.end(), id);
   return static_cast<int>(behind - first.begin()) - 1;
 }
 
-Id MeshPartition::countedVertex(Id globalId) const
+Id MeshPartition::countedVertex(GlobalId id) const
 {
   if (!this->tables_)
   {
-    return globalId < this->mesh_->numberOfVertices() ? globalId : NoId;
+    return static_cast<Id>(id) < this->mesh_->numberOfVertices() ? static_cast<Id>(id) : NoId;
   }
-  const Id i = globalId - this->tables_->firstOfRank[rankIndex(this->exchange_->rank())];
+  const Id i = static_cast<Id>(id) -
+    static_cast<Id>(this->tables_->firstOfRank[rankIndex(this->exchange_->rank())]);
   return i < this->tables_->counted.size() ? this->tables_->counted[i] : NoId;
 }
 
 SentFace MeshPartition::sentFace(Id face) const
 {
   const auto& [a, b, c] = this->mesh_->triangle(face);
-  return { this->addressOf(face), { this->globalId(a), this->globalId(b), this->globalId(c) },
+  return { this->addressOf(face), this->globalIds({ a, b, c }),
     { this->mesh_->point(a), this->mesh_->point(b), this->mesh_->point(c) } };
 }
 

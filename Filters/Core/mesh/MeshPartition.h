@@ -37,8 +37,8 @@ Id indexIn(const std::vector<Value>& values, const Value& value)
 struct SentFace
 {
   RankAddress owner;
-  /// The vertices' global ids, and where they lie.
-  Triangle vertices;
+  GlobalTriangle vertices;
+  /// Where the vertices lie.
   std::array<Vec3, 3> points;
 
   bool operator<(const SentFace& other) const { return this->owner < other.owner; }
@@ -141,7 +141,10 @@ public:
   std::vector<int> otherRanksAt(Id halfedge) const;
   /// The global id of a vertex, the same on all ranks. The ids of the vertices that a rank counts
   /// are consecutive and follow those of lower ranks.
-  Id globalId(Id vertex) const { return this->tables_ ? this->tables_->globalIds[vertex] : vertex; }
+  GlobalId globalId(Id vertex) const
+  {
+    return this->tables_ ? this->tables_->globalIds[vertex] : GlobalId{ vertex };
+  }
   Id numberOfGlobalVertices() const
   {
     return this->tables_ ? this->tables_->numberOfGlobalVertices : this->mesh_->numberOfVertices();
@@ -156,14 +159,19 @@ public:
     return this->tables_ ? face - this->firstOwnFace_ + this->tables_->firstGlobalFace : face;
   }
   /// The rank that counts a vertex: the lowest one that has it.
-  int rankCounting(Id globalId) const;
+  int rankCounting(GlobalId id) const;
   /// The vertex with this global id if this rank counts it, else NoId.
-  Id countedVertex(Id globalId) const;
+  Id countedVertex(GlobalId id) const;
   bool isCountedHere(Id vertex) const
   {
     return this->countedVertex(this->globalId(vertex)) == vertex;
   }
 
+  GlobalTriangle globalIds(const Triangle& vertices) const
+  {
+    const auto& [a, b, c] = vertices;
+    return { this->globalId(a), this->globalId(b), this->globalId(c) };
+  }
   SentFace sentFace(Id face) const;
 
 private:
@@ -188,11 +196,11 @@ private:
     std::vector<RankAddress> halo;
     std::vector<Id> firstHolder;
     std::vector<RankAddress> holders;
-    std::vector<Id> globalIds;
+    std::vector<GlobalId> globalIds;
     /// The vertices that this rank counts, in the order of their global ids.
     std::vector<Id> counted;
     /// The global id of the first vertex that each rank counts.
-    std::vector<Id> firstOfRank;
+    std::vector<GlobalId> firstOfRank;
   };
   class TablesBuilder;
 

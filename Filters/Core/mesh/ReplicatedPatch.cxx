@@ -60,7 +60,7 @@ std::vector<FaceOfPatch> gather(const MeshPartition& part, const std::vector<Id>
 GatheredFaces::GatheredFaces(std::vector<SentFace> faces)
 {
   Tables tables;
-  std::vector<Id>& ids = tables.globalIds;
+  std::vector<GlobalId>& ids = tables.globalIds;
   std::sort(faces.begin(), faces.end());
   const auto isSame = [](const SentFace& a, const SentFace& b) { return !(a < b); };
   faces.erase(std::unique(faces.begin(), faces.end(), isSame), faces.end());
@@ -94,9 +94,9 @@ Id GatheredFaces::faceAt(const RankAddress& face) const
   return this->tables_ ? indexIn(this->tables_->owners, face) : face.id;
 }
 
-Id GatheredFaces::vertexAt(Id globalId) const
+Id GatheredFaces::vertexAt(GlobalId id) const
 {
-  return this->tables_ ? indexIn(this->tables_->globalIds, globalId) : globalId;
+  return this->tables_ ? indexIn(this->tables_->globalIds, id) : static_cast<Id>(id);
 }
 
 ReplicatedPatch::ReplicatedPatch(const MeshPartition& part, const std::vector<Id>& faces)

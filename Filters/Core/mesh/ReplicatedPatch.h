@@ -34,16 +34,19 @@ public:
   {
     return this->tables_ ? this->tables_->owners[face] : RankAddress{ 0, face };
   }
-  Id globalId(Id vertex) const { return this->tables_ ? this->tables_->globalIds[vertex] : vertex; }
+  GlobalId globalId(Id vertex) const
+  {
+    return this->tables_ ? this->tables_->globalIds[vertex] : GlobalId{ vertex };
+  }
   /// A face by its address, and a vertex by its global id; NoId if the patch does not have it.
   Id faceAt(const RankAddress& face) const;
-  Id vertexAt(Id globalId) const;
+  Id vertexAt(GlobalId id) const;
 
 private:
   struct Tables
   {
     std::vector<RankAddress> owners;
-    std::vector<Id> globalIds;
+    std::vector<GlobalId> globalIds;
     TriangleMesh mesh;
   };
 

@@ -79,7 +79,7 @@ double limitOfOpposite(const std::vector<ClosestFace>& closest)
 }
 
 /// Whether a face has all vertices of the part of another face that contains its closest point.
-bool hasPart(const Triangle& corners, const FaceCandidate& other)
+bool hasPart(const GlobalTriangle& corners, const FaceCandidate& other)
 {
   bool hasAll = true;
   for (std::size_t k = 0; k < 3; ++k)
@@ -104,14 +104,14 @@ bool isFartherThan(const FaceCandidate& face, const FaceCandidate& other)
 std::vector<const FaceCandidate*> closestOf(const std::vector<FaceCandidate>& faces, double least)
 {
   std::vector<const FaceCandidate*> closest;
-  std::vector<std::pair<Id, const FaceCandidate*>> atVertices;
+  std::vector<std::pair<GlobalId, const FaceCandidate*>> atVertices;
   for (const FaceCandidate& face : faces)
   {
     if (face.distance <= least + face.measuring)
     {
       closest.push_back(&face);
     }
-    for (const Id vertex : face.corners)
+    for (const GlobalId vertex : face.corners)
     {
       atVertices.emplace_back(vertex, &face);
     }
@@ -119,9 +119,9 @@ std::vector<const FaceCandidate*> closestOf(const std::vector<FaceCandidate>& fa
   std::sort(atVertices.begin(), atVertices.end());
   const auto isFarther = [&](const FaceCandidate* face)
   {
-    const Id vertex = face->corners[face->isPart[0] ? 0 : face->isPart[1] ? 1 : 2];
+    const GlobalId vertex = face->corners[face->isPart[0] ? 0 : face->isPart[1] ? 1 : 2];
     auto at = std::lower_bound(atVertices.begin(), atVertices.end(), vertex,
-      [](const auto& entry, Id wanted) { return entry.first < wanted; });
+      [](const auto& entry, GlobalId wanted) { return entry.first < wanted; });
     while (at != atVertices.end() && at->first == vertex && !isFartherThan(*face, *at->second))
     {
       ++at;
@@ -197,7 +197,8 @@ void complete(
   candidate.toClosest = closest.offset;
   candidate.toPlace = snapToFace(mesh, face, point, coordinatePrecision).offset;
   candidate.normal = normalOf(mesh, face);
-  candidate.corners = mesh.triangle(face);
+  const auto& [a, b, c] = mesh.triangle(face);
+  candidate.corners = { GlobalId{ a }, GlobalId{ b }, GlobalId{ c } }; // until it is sent
   for (std::size_t k = 0; k < 3; ++k)
   {
     candidate.isPart[k] = weights[k] != 0.0;

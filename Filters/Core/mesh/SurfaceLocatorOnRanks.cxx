@@ -10,7 +10,7 @@ namespace
 {
 
 /// The message about the candidates that this rank owns: for each the number of its point, and the
-/// candidate with global ids of the vertices.
+/// candidate.
 Message messageOf(const MeshPartition& surface, const FoundOnRanks& found)
 {
   Message message;
@@ -22,10 +22,7 @@ Message messageOf(const MeshPartition& surface, const FoundOnRanks& found)
       {
         continue;
       }
-      for (Id& corner : candidate.corners)
-      {
-        corner = surface.globalId(corner);
-      }
+      candidate.corners = surface.globalIds(surface.mesh().triangle(candidate.face.id));
       candidate.face = surface.addressOf(candidate.face.id);
       put(message, i);
       put(message, candidate);

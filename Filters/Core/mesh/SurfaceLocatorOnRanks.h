@@ -31,8 +31,7 @@ struct FaceCandidate
   Vec3 toPlace{};
   /// The face's unit normal; zero if it has none.
   Vec3 normal{};
-  /// The vertices of the face; once sent, their global ids.
-  Triangle corners{};
+  GlobalTriangle corners{};
   /// Which corners its smallest part (vertex, edge or the face) has that contains the closest
   /// point.
   std::array<bool, 3> isPart{};

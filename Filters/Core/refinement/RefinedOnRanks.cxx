@@ -102,7 +102,7 @@ PlaceOnSeam onSeam(const MeshPartition& part, const SurfacePoint& place)
 {
   if (place.kind == SurfacePoint::Kind::Vertex)
   {
-    return { { -1, part.globalId(place.id) }, 0, 0.0 };
+    return { { -1, static_cast<Id>(part.globalId(place.id)) }, 0, 0.0 };
   }
   return { part.addressOf(TriangleMesh::faceOf(place.id)), TriangleMesh::indexInFace(place.id),
     place.u };

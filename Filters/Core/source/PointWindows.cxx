@@ -214,7 +214,7 @@ struct PointEmitter
       to.window.sourceX = isAtOrigin ? 0.0 : to.window.end;
       to.window.sourceDepth = 0.0;
       to.window.sigma = near.distance;
-      to.window.origin = RayOrigin::vertex(near.vertex);
+      to.window.origin = RayOrigin::vertex(GlobalId{ near.vertex }); // the patch's number, so far
     }
     else
     {

@@ -232,7 +232,9 @@ std::vector<LeavingWindow> windowsOfPart(
     {
       result.push_back({ halfedge, leaving.window });
       RayOrigin& origin = result.back().window.origin;
-      origin = origin.isVertex() ? RayOrigin::vertex(patch.globalId(origin.vertex())) : origin;
+      origin = origin.isVertex()
+        ? RayOrigin::vertex(patch.globalId(static_cast<Id>(origin.vertex())))
+        : origin;
     }
   }
   return result;

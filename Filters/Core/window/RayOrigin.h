@@ -22,8 +22,8 @@ public:
 
   /// No origin.
   constexpr RayOrigin() = default;
-  /// \param id global (MeshPartition::globalId()), below MaximumVertices.
-  static constexpr RayOrigin vertex(Id id) { return RayOrigin(id); }
+  /// \param id below MaximumVertices.
+  static constexpr RayOrigin vertex(GlobalId id) { return RayOrigin(static_cast<Id>(id)); }
   static RayOrigin curveSide(Id curve, bool isRight)
   {
     return RayOrigin(OnCurve | packed(curve, isRight, false));
@@ -40,7 +40,7 @@ public:
   bool isOnCurve() const { return (this->bits_ & OnCurve) != 0; }
   bool isPoint() const { return (this->bits_ & (OnCurve | AtPoint)) == (OnCurve | AtPoint); }
 
-  Id vertex() const { return this->bits_; }
+  GlobalId vertex() const { return GlobalId{ this->bits_ }; }
   Id curve() const { return this->number(); }
   Id point() const { return this->number(); }
   bool isRight() const { return (this->bits_ & Right) != 0; }

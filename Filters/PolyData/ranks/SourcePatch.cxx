@@ -59,12 +59,12 @@ bool SourcePatch::addFaces(const std::vector<Id>& faces)
 
 void SourcePatch::addBoundary(const std::vector<SourceCurve>& loops)
 {
-  std::vector<Id> globalIds;
+  std::vector<GlobalId> globalIds;
   for (const SourceCurve& loop : loops)
   {
     for (const SurfacePoint& point : loop.points)
     {
-      globalIds.push_back(point.id);
+      globalIds.push_back(GlobalId{ point.id });
     }
   }
   std::sort(globalIds.begin(), globalIds.end());
@@ -121,8 +121,10 @@ void addBarriers(const PolyDataSurface& surface, std::vector<FaceEdge>& edges)
 {
   const std::vector<GlobalVertex> remote = surface.remoteVertices();
   const Id inMesh = surface.mesh().numberOfVertices();
-  const auto idOf = [&](Id vertex) {
-    return vertex < inMesh ? surface.partition.globalId(vertex) : remote[vertex - inMesh].globalId;
+  const auto idOf = [&](Id vertex)
+  {
+    return vertex < inMesh ? static_cast<Id>(surface.partition.globalId(vertex))
+                           : remote[vertex - inMesh].globalId;
   };
   addBoundaryOf(
     surface.barriers->surface(), [&](Id i) { return idOf(surface.barrierVertices[i]); }, edges);
@@ -152,7 +154,8 @@ std::vector<SourceCurve> boundaryOfAllFaces(const PolyDataSurface& surface)
 {
   std::vector<FaceEdge> own;
   addBoundaryOf(
-    surface.partition, [&](Id vertex) { return surface.partition.globalId(vertex); }, own);
+    surface.partition,
+    [&](Id vertex) { return static_cast<Id>(surface.partition.globalId(vertex)); }, own);
   if (surface.barriers)
   {
     addBarriers(surface, own);

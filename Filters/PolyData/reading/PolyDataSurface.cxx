@@ -48,7 +48,7 @@ std::vector<GlobalVertex> PolyDataSurface::remoteVertices() const
     {
       const MeshPartition& onBarriers = this->barriers->surface();
       vertices[vertex - inMesh] = { this->partition.numberOfGlobalVertices() +
-          onBarriers.globalId(i),
+          static_cast<Id>(onBarriers.globalId(i)),
         onBarriers.mesh().point(i) };
     }
   }

@@ -235,7 +235,7 @@ struct PolyDataSurface
   GlobalVertex vertexOfMesh(Id vertex) const
   {
     const bool hasFaces = this->mesh().cornersAt(vertex).size() > 0;
-    return { this->partition.globalId(vertex), this->mesh().point(vertex),
+    return { static_cast<Id>(this->partition.globalId(vertex)), this->mesh().point(vertex),
       { this->exchange().rank(), hasFaces ? vertex : NoId } };
   }
   /// The remote vertices: those that no face of the mesh here has. All ranks call this together.

@@ -82,7 +82,7 @@ void UnmeshedTriangles::findFaces()
 GlobalFace UnmeshedTriangles::faceAround(Id vertex, const Triangle& wanted) const
 {
   const MeshPartition& partition = this->surface_.partition;
-  const auto idOf = [&partition](Id corner) { return partition.globalId(corner); };
+  const auto idOf = [&partition](Id corner) { return static_cast<Id>(partition.globalId(corner)); };
   GlobalFace found;
   int best = -1;
   for (const Id corner : partition.mesh().cornersAt(vertex))

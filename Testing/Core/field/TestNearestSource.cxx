@@ -397,9 +397,10 @@ TEST(NearestSource, IsSoughtNoLongerWhereTwoVerticesNameEachOther)
   const Id edge = mesh.halfedgeBetween(4, 9);
   const Id next = geodesic::TriangleMesh::nextInFace(edge);
   const Id previous = geodesic::TriangleMesh::previousInFace(edge);
-  front.arrivals[mesh.origin(edge)] = { next, RayOrigin::vertex(mesh.destination(edge)), 0.0 };
-  front.arrivals[mesh.destination(edge)] = { previous, RayOrigin::vertex(mesh.origin(edge)),
-    mesh.length(previous) };
+  front.arrivals[mesh.origin(edge)] = { next,
+    RayOrigin::vertex(geodesic::GlobalId{ mesh.destination(edge) }), 0.0 };
+  front.arrivals[mesh.destination(edge)] = { previous,
+    RayOrigin::vertex(geodesic::GlobalId{ mesh.origin(edge) }), mesh.length(previous) };
   const geodesic::DistanceField field(geodesic::MeshPartition(mesh), std::move(front), {});
   const NearestSource nearest(field, geodesic::ReplicatedPatch(field.mesh()), curves);
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)

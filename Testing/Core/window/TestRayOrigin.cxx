@@ -18,8 +18,9 @@ constexpr Id Last = RayOrigin::MaximumOnCurves - 1;
 
 TEST(RayOrigin, KeepsItsKindAndItsNumberAlsoInAMirror)
 {
-  for (const Id id : { 0U, 1U, 2U, 3U, MaximumVertices - 2, MaximumVertices - 1 })
+  for (const Id number : { 0U, 1U, 2U, 3U, MaximumVertices - 2, MaximumVertices - 1 })
   {
+    const geodesic::GlobalId id{ number };
     const RayOrigin origin = RayOrigin::vertex(id);
     EXPECT_TRUE(origin.isKnown() && origin.isVertex() && !origin.isOnCurve() && !origin.isPoint());
     EXPECT_EQ(origin.vertex(), id);
@@ -38,7 +39,7 @@ TEST(RayOrigin, KeepsItsKindAndItsNumberAlsoInAMirror)
         EXPECT_EQ(origin.isRight(), isRight);
         EXPECT_EQ(origin.mirrored().mirrored(), origin);
         EXPECT_NE(origin.mirrored(), origin);
-        EXPECT_NE(origin, RayOrigin::vertex(number));
+        EXPECT_NE(origin, RayOrigin::vertex(geodesic::GlobalId{ number }));
       }
       EXPECT_NE(side, point);
     }
