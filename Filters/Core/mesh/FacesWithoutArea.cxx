@@ -436,17 +436,10 @@ struct Remover
         }
       }
     }
-    std::unordered_map<Id, Id> news;
-    for (Id vertex = 0; vertex < this->points.size(); ++vertex)
+    for (Id& to : this->sameVertices)
     {
-      Id& to = this->sameVertices[vertex];
       const Key key = this->keyOf(to);
-      if (same.has(key))
-      {
-        const Id one = first.at(same.leastOf(key));
-        news.emplace(to, one);
-        to = one;
-      }
+      to = same.has(key) ? first.at(same.leastOf(key)) : to;
     }
     for (const auto& [key, vertex] : first)
     {
@@ -460,9 +453,8 @@ struct Remover
     {
       for (Id& corner : part.corners)
       {
-        const auto found = news.find(corner);
-        part.isNew = part.isNew || found != news.end();
-        corner = found != news.end() ? found->second : corner;
+        corner = this->sameVertices[corner];
+        part.isNew = part.isNew || same.has(this->keyOf(corner));
       }
       if (part.kind != PartKind::NoFace && !hasThreeVertices(part.corners))
       {
