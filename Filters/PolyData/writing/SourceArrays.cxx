@@ -245,7 +245,13 @@ std::vector<SourceValues> SourceArrays::atNewPoints(const RefinedMesh& refined,
   std::vector<SourceValues> values = collect(*this, nearest, count, computed, job, at);
   Exchange& exchange = this->surface.exchange();
   const SeamPoints seams = findSeamPoints(points, count, computed, exact);
-  BorrowedValues(seams.there, exchange).replace(seams.here, values, exchange);
+  const std::vector<SourceValues> ofOthers =
+    BorrowedValues(seams.there, exchange)
+      .copies(SourceValues(), exchange, [&](Id i) { return values[i]; });
+  for (std::size_t i = 0; i < seams.here.size(); ++i)
+  {
+    values[seams.here[i]] = ofOthers[i];
+  }
   BorrowedValues(refined.copied, exchange).append({}, values, exchange);
   return values;
 }
