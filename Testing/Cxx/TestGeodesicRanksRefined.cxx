@@ -426,13 +426,14 @@ vtkSmartPointer<vtkPolyData> WithFarGhosts(vtkPolyData* surface, const Cut& cut,
   return PartWithGhosts(surface, faces, own);
 }
 
-/// Two blocks on each rank.
-vtkSmartPointer<vtkMultiBlockDataSet> InBlocks(vtkPolyData* surface, Ranks ranks, bool hasGhosts)
+/// Two blocks on each rank, which are empty behind the first ranks.
+vtkSmartPointer<vtkMultiBlockDataSet> InBlocks(
+  vtkPolyData* surface, Ranks first, bool hasGhosts = false)
 {
-  const Cut cut = AtRandom(2 * ranks.Count);
+  const Cut cut = AtRandom(2 * first.Count);
   const auto block = [&](int number)
   { return hasGhosts ? PartWithGhosts(surface, cut, number) : PieceOf(surface, cut, number); };
-  return Blocks({ block(2 * ranks.Rank), block(2 * ranks.Rank + 1) });
+  return Blocks({ block(2 * first.Rank), block(2 * first.Rank + 1) });
 }
 
 /// Every way in which ranks have a surface.
@@ -477,7 +478,9 @@ void TestCuts(Check& check, Ranks ranks, vtkPolyData* surface, const std::string
     task.RelativeError = 0.0;
   }
   run("mostly ghosts", WithFarGhosts(surface, AtRandom(ranks.Count), ranks.Rank));
-  run("in blocks", InBlocks(surface, ranks, false));
+  run("in blocks", InBlocks(surface, ranks));
+  run("in blocks that are empty on the last rank",
+    InBlocks(surface, { ranks.Rank, std::max(1, ranks.Count - 1) }));
   run("in blocks with ghosts", InBlocks(surface, ranks, true));
 }
 
