@@ -168,16 +168,18 @@ struct TriangleCutter
 
 /// Counts the surface's cut points among the points of refinement: the first of these.
 void takeCutPoints(
-  const PolyDataSurface& surface, const std::vector<double>& vertexDistances, RefinedMesh& refined)
+  const UnmeshedTriangles& unmeshed, std::vector<double> vertexDistances, RefinedMesh& refined)
 {
+  const PolyDataSurface& surface = unmeshed.surface();
+  surface.completeValues(Infinity, vertexDistances);
   std::vector<RefinedPoint> points;
   for (std::size_t i = 0; i < surface.cutPoints.size(); ++i)
   {
     const Id vertex = surface.vertexOf(surface.numberOfPoints + static_cast<Id>(i));
     const bool isInMesh = vertex < surface.mesh().numberOfVertices();
     points.push_back({ surface.cutPoints[i].parents, surface.cutPoints[i].weight,
-      SurfacePoint::atVertex(vertex), isInMesh ? surface.mesh().point(vertex) : Vec3(),
-      isInMesh ? vertexDistances[vertex] : Infinity });
+      SurfacePoint::atVertex(isInMesh ? vertex : NoId), unmeshed.vertex(vertex).position,
+      vertexDistances[vertex] });
   }
   points.insert(points.end(), refined.points.begin(), refined.points.end());
   refined.points = std::move(points);
@@ -199,7 +201,7 @@ RefinedMesh addUnmeshedTriangles(const UnmeshedTriangles& unmeshed, std::uint64_
     }
     return refined;
   }
-  takeCutPoints(surface, vertexDistances, refined);
+  takeCutPoints(unmeshed, vertexDistances, refined);
   std::vector<RankAddress> faces;
   for (const UnmeshedTriangle& triangle : unmeshed.ofThisRank())
   {
