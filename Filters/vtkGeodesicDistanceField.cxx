@@ -281,9 +281,9 @@ public:
       result.frames = framesBySource(nearest.curvesOnPatch(), this->Inputs.sources);
     }
     result.arcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
-    return result.isRefined
-      ? arrays.atNewPoints(solved.refined, field, exact, nearest, job.part(0.6, 1.0))
-      : std::vector<SourceValues>();
+    return result.isRefined ? arrays.atNewPoints(solved.refined, result.atVertices, field, exact,
+                                nearest, job.part(0.6, 1.0))
+                            : std::vector<SourceValues>();
   }
 
   /// \param requested the tolerance of the interpolant.

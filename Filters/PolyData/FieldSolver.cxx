@@ -114,7 +114,10 @@ struct FieldSolver
     std::vector<std::uint8_t> faces(mesh.numberOfFaces(), 0);
     for (std::size_t i = 0; i < refined.numberOfPointsWithPlaces(); ++i)
     {
-      forEachFace(mesh, refined.points[i].place, [&](Id face) { faces[face] = 1; });
+      if (refined.points[i].hasPlace())
+      {
+        forEachFace(mesh, refined.points[i].place, [&](Id face) { faces[face] = 1; });
+      }
     }
     return faces;
   }

@@ -56,6 +56,48 @@ void TestGlobalIds(Check& check, Ranks ranks, vtkPolyData* surface)
   }
 }
 
+/// Two quads on one rank, each with points of its own, touch the third, on another rank, in one
+/// corner: by its global id all three are joined there, and paths go on straight.
+void TestIdsMetElsewhere(Check& check, Ranks ranks)
+{
+  if (ranks.Count == 1)
+  {
+    return; // global ids join ranks
+  }
+  const auto surface = Mesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 2, 0, 0 },
+                              { 2, 1, 0 }, { 1.5, 2, 0 }, { 1, 3, 0 }, { 0.5, 2, 0 } },
+    { { 0, 1, 2, 3 }, { 1, 4, 5, 2 }, { 2, 6, 7, 8 } });
+  const auto block = [&](int rank, vtkIdType quad)
+  {
+    return Part(surface,
+      ranks.Rank == rank ? std::vector<vtkIdType>{ quad } : std::vector<vtkIdType>(), true);
+  };
+  const auto third = block(1, 2);
+  const auto filter = Asked(Blocks({ block(0, 0), ranks.Rank == 0 ? block(0, 1) : third }),
+    { "", PointSources({ { 0, 1, 0 } }) });
+  filter->MergeCoincidentPointsOff();
+  filter->Update();
+  const double diagonal = std::sqrt(2.0);
+  const std::map<Point, double> expected = { { { 2, 1, 0 }, 2.0 }, { { 2, 0, 0 }, 1.0 + diagonal },
+    { { 1, 3, 0 }, 3.0 }, { { 0, 0, 0 }, 1.0 } };
+  double count = 0.0;
+  for (const unsigned int index : { 0U, 1U })
+  {
+    vtkPolyData* output = Block(filter, index);
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const auto found = expected.find(PointAt(output, i));
+      if (found != expected.end())
+      {
+        ++count;
+        check.Near(PointValue(output, "GeodesicDistance", i), found->second, 1e-14,
+          "points of one rank with a global id of another rank's are one");
+      }
+    }
+  }
+  check.Equal(Sum(count), 4.0, "points with a known distance");
+}
+
 /// Seam points that differ by a rounding are one.
 void TestRoundings(Check& check, Ranks ranks, vtkPolyData* surface)
 {
@@ -619,6 +661,7 @@ int TestGeodesicRanks(int argc, char* argv[])
     {
       const auto surface = NoisySquare(12);
       TestGlobalIds(check, ranks, surface);
+      TestIdsMetElsewhere(check, ranks);
       TestRoundings(check, ranks, surface);
       TestSourcesOnRanks(check, ranks, surface);
       TestNames(check, ranks, SphereOfRanks());

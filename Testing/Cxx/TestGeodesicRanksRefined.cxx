@@ -426,13 +426,14 @@ vtkSmartPointer<vtkPolyData> WithFarGhosts(vtkPolyData* surface, const Cut& cut,
   return PartWithGhosts(surface, faces, own);
 }
 
-/// Two blocks on each rank.
-vtkSmartPointer<vtkMultiBlockDataSet> InBlocks(vtkPolyData* surface, Ranks ranks, bool hasGhosts)
+/// Two blocks on each rank, which are empty behind the first ranks.
+vtkSmartPointer<vtkMultiBlockDataSet> InBlocks(
+  vtkPolyData* surface, Ranks first, bool hasGhosts = false)
 {
-  const Cut cut = AtRandom(2 * ranks.Count);
+  const Cut cut = AtRandom(2 * first.Count);
   const auto block = [&](int number)
   { return hasGhosts ? PartWithGhosts(surface, cut, number) : PieceOf(surface, cut, number); };
-  return Blocks({ block(2 * ranks.Rank), block(2 * ranks.Rank + 1) });
+  return Blocks({ block(2 * first.Rank), block(2 * first.Rank + 1) });
 }
 
 /// Every way in which ranks have a surface.
@@ -477,7 +478,9 @@ void TestCuts(Check& check, Ranks ranks, vtkPolyData* surface, const std::string
     task.RelativeError = 0.0;
   }
   run("mostly ghosts", WithFarGhosts(surface, AtRandom(ranks.Count), ranks.Rank));
-  run("in blocks", InBlocks(surface, ranks, false));
+  run("in blocks", InBlocks(surface, ranks));
+  run("in blocks that are empty on the last rank",
+    InBlocks(surface, { ranks.Rank, std::max(1, ranks.Count - 1) }));
   run("in blocks with ghosts", InBlocks(surface, ranks, true));
 }
 
@@ -657,6 +660,41 @@ void TestEndsOfPaths(Check& check, Ranks ranks, vtkPolyData* plane)
   }
 }
 
+/// A barrier is cut at the middle corner of a face without area at its edge, wherever that is.
+void TestBarrierBesideCap(Check& check, Ranks ranks)
+{
+  const auto surface = Mesh({ { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 }, { 1, -1, 0 }, { 1, 1, 0 } },
+    { { 0, 3, 2 }, { 2, 3, 1 }, { 0, 2, 1 }, { 0, 1, 4 } });
+  AddArray<vtkIntArray>(surface->GetCellData(), "barrier", { 0, 0, 0, 1 });
+  const int last = ranks.Count - 1;
+  const Cut cut = [last](vtkIdType face) { return face < 3 ? 0 : last; };
+  const Point source = { 1, -1, 0 };
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(PieceOf(surface, cut, ranks.Rank));
+  filter->SetBarrierArrayName("barrier");
+  filter->SetSourceData(PointSources({ source }));
+  filter->GenerateClosestPointsOn();
+  RunWithoutError(check, filter, "a barrier beside a cap");
+  vtkPolyData* output = filter->GetOutput();
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints() && ranks.Rank == last; ++i)
+  {
+    const Point p = PointAt(output, i);
+    if (p[1] == 0.0)
+    {
+      Point closest;
+      output->GetPointData()->GetArray("ClosestSourcePoint")->GetTuple(i, closest.data());
+      check.Near(PointValue(output, "GeodesicDistance", i), std::hypot(p[0] - 1.0, 1.0), 1e-12,
+        "on the rim of the barrier");
+      check.That(closest == source, "all of the rim is nearest to the source");
+      ++count;
+    }
+    check.That(p[1] == 0.0 || p == Point{ 1, 1, 0 } || last == 0,
+      "points of the barrier are on its edge at the other faces, or its third corner");
+  }
+  check.That(ranks.Rank != last || count > 3, "the edge is cut and refined");
+}
+
 /// One rank is stopped while the arrays are computed: none waits for it.
 void TestAbort(Check& check, Ranks ranks, vtkPolyData* surface)
 {
@@ -701,6 +739,7 @@ int TestGeodesicRanksRefined(int argc, char* argv[])
       TestPrecisions(check, ranks);
       TestTypesOfEmptyPieces(check, ranks, Square(8, Cells::Triangles, VTK_FLOAT));
       TestEndsOfPaths(check, ranks, plane);
+      TestBarrierBesideCap(check, ranks);
       TestAbort(check, ranks, plane);
     });
 }

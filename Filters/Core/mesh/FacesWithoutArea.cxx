@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -279,32 +280,34 @@ struct Part
 
 /// Removes faces without area, round by round: needles that there are, else caps. Cutting a face
 /// may make others.
-class Remover
+struct Remover
 {
-public:
-  Remover(std::vector<Vec3>& points, std::vector<Key>& keys, Key firstNewKey, Exchange& exchange)
-    : points_(points)
-    , keys_(keys)
-    , firstNewKey_(firstNewKey)
-    , exchange_(exchange)
-  {
-  }
+  std::vector<Vec3>& points;
+  std::vector<Key>& keys;
+  Key firstNewKey;
+  const std::vector<Triangle>& triangles;
+  const std::vector<std::uint8_t>& areFaces;
+  Exchange& exchange;
+  std::vector<Part> parts{};
+  /// For each vertex the one that it has become.
+  std::vector<Id> sameVertices{};
 
-  CutTriangles run(const std::vector<Triangle>& triangles,
-    const std::vector<std::uint8_t>& areFaces, const Job& job)
+  CutTriangles run(const Job& job)
   {
-    this->triangles_ = &triangles;
-    this->areFaces_ = &areFaces;
-    std::vector<KeyedFace> flat = this->exchanged(this->flatTriangles(job));
-    if (flat.empty())
+    if (!this->exchange.isTrueAnywhere(this->isAnyFlat(job)))
     {
       return {};
     }
     this->makeParts();
     // Cuts end by themselves; what resists so long for its roundings stays a face.
     constexpr int mostRounds = 100;
-    for (int round = 0; round < mostRounds && !flat.empty(); ++round)
+    for (int round = 0; round < mostRounds; ++round)
     {
+      std::vector<KeyedFace> flat = this->exchanged(this->flatParts());
+      if (flat.empty())
+      {
+        break;
+      }
       const auto isNeedleFace = [](const KeyedFace& face)
       { return isNeedle(shapeOf(face.points)); };
       const auto firstCap = std::stable_partition(flat.begin(), flat.end(), isNeedleFace);
@@ -318,17 +321,15 @@ public:
         this->cutAtCaps(CapCuts(flat).take());
       }
       job.reach(1.0);
-      flat = this->exchanged(this->flatParts());
     }
     return this->result();
   }
 
-private:
-  Key keyOf(Id vertex) const { return this->keys_.empty() ? vertex : this->keys_[vertex]; }
+  Key keyOf(Id vertex) const { return this->keys.empty() ? vertex : this->keys[vertex]; }
 
   std::array<Vec3, 3> places(const Triangle& t) const
   {
-    return { this->points_[t[0]], this->points_[t[1]], this->points_[t[2]] };
+    return { this->points[t[0]], this->points[t[1]], this->points[t[2]] };
   }
   KeyedFace keyed(const Triangle& t) const
   {
@@ -342,58 +343,44 @@ private:
 
   std::vector<KeyedFace> exchanged(const std::vector<KeyedFace>& own) const
   {
-    return valuesOfRanks(this->exchange_, own);
+    return valuesOfRanks(this->exchange, own);
   }
 
   bool isFace(std::size_t triangle) const
   {
-    return this->areFaces_->empty() || (*this->areFaces_)[triangle] != 0;
+    return this->areFaces.empty() || this->areFaces[triangle] != 0;
   }
 
-  /// Those of the triangles that are flat, before there are parts.
-  std::vector<KeyedFace> flatTriangles(const Job& job) const
+  bool isAnyFlat(const Job& job) const
   {
-    std::vector<KeyedFace> flat;
-    for (const std::vector<KeyedFace>&some : job.resultsOfRanges(this->triangles_->size(),
-           [&](std::size_t begin, std::size_t end)
-           {
-             std::vector<KeyedFace> here;
-             for (std::size_t i = begin; i < end; ++i)
-             {
-               const Triangle& t = (*this->triangles_)[i];
-               if (this->isFace(i) && this->isFlat(t))
-               {
-                 here.push_back(this->keyed(t));
-               }
-             }
-             return here;
-           }))
-    {
-      flat.insert(flat.end(), some.begin(), some.end());
-    }
-    return flat;
+    const std::vector<int> areFlat = job.resultsOfRanges(this->triangles.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        int isAny = 0;
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          isAny = this->isFace(i) && this->isFlat(this->triangles[i]) ? 1 : isAny;
+        }
+        return isAny;
+      });
+    return std::find(areFlat.begin(), areFlat.end(), 1) != areFlat.end();
   }
 
   void makeParts()
   {
-    for (std::size_t i = 0; i < this->triangles_->size(); ++i)
+    for (std::size_t i = 0; i < this->triangles.size(); ++i)
     {
-      const Triangle& t = (*this->triangles_)[i];
       const PartKind kind = this->isFace(i) ? PartKind::Face : PartKind::NoFace;
-      this->parts_.push_back(
-        { t, static_cast<Id>(i), kind, kind == PartKind::Face && this->isFlat(t) });
+      this->parts.push_back({ this->triangles[i], static_cast<Id>(i), kind, true });
     }
-    this->same_.resize(this->points_.size());
-    for (Id vertex = 0; vertex < this->same_.size(); ++vertex)
-    {
-      this->same_[vertex] = vertex;
-    }
+    this->sameVertices.resize(this->points.size());
+    std::iota(this->sameVertices.begin(), this->sameVertices.end(), Id(0));
   }
 
   std::vector<KeyedFace> flatParts()
   {
     std::vector<KeyedFace> flat;
-    for (Part& part : this->parts_)
+    for (Part& part : this->parts)
     {
       if (part.isNew && part.kind == PartKind::Face && this->isFlat(part.corners))
       {
@@ -412,7 +399,7 @@ private:
   {
     const SameItems<Key> same = joinsOf(needles);
     std::vector<KeyedFace> around;
-    for (const Part& part : this->parts_)
+    for (const Part& part : this->parts)
     {
       const KeyedFace face = this->keyed(part.corners);
       const bool isAround =
@@ -423,9 +410,9 @@ private:
       }
     }
     around = this->exchanged(around);
-    Key newKey = this->firstNewKey_;
-    const EdgeCuts slits = cutsOfSlits(around, same, this->firstNewKey_);
-    for (; this->keys_.empty() && newKey < this->firstNewKey_; ++newKey)
+    Key newKey = this->firstNewKey;
+    const EdgeCuts slits = cutsOfSlits(around, same, this->firstNewKey);
+    for (; this->keys.empty() && newKey < this->firstNewKey; ++newKey)
     {
       this->addVertex(newKey, slits.places.at(newKey)); // numbers are keys
     }
@@ -437,10 +424,10 @@ private:
   {
     // A rank need not have the vertex that stands for the others: its first one does so.
     std::unordered_map<Key, Id> first;
-    for (Id vertex = 0; vertex < this->points_.size(); ++vertex)
+    for (Id vertex = 0; vertex < this->points.size(); ++vertex)
     {
       const Key key = this->keyOf(vertex);
-      if (this->same_[vertex] == vertex && same.has(key))
+      if (this->sameVertices[vertex] == vertex && same.has(key))
       {
         const auto [found, isNew] = first.emplace(same.leastOf(key), vertex);
         if (!isNew && key == found->first)
@@ -449,33 +436,25 @@ private:
         }
       }
     }
-    std::unordered_map<Id, Id> news;
-    for (Id vertex = 0; vertex < this->points_.size(); ++vertex)
+    for (Id& to : this->sameVertices)
     {
-      Id& to = this->same_[vertex];
       const Key key = this->keyOf(to);
-      if (same.has(key))
-      {
-        const Id one = first.at(same.leastOf(key));
-        news.emplace(to, one);
-        to = one;
-      }
+      to = same.has(key) ? first.at(same.leastOf(key)) : to;
     }
     for (const auto& [key, vertex] : first)
     {
-      this->points_[vertex] = places.at(key);
-      if (!this->keys_.empty())
+      this->points[vertex] = places.at(key);
+      if (!this->keys.empty())
       {
-        this->keys_[vertex] = key;
+        this->keys[vertex] = key;
       }
     }
-    for (Part& part : this->parts_)
+    for (Part& part : this->parts)
     {
       for (Id& corner : part.corners)
       {
-        const auto found = news.find(corner);
-        part.isNew = part.isNew || found != news.end();
-        corner = found != news.end() ? found->second : corner;
+        corner = this->sameVertices[corner];
+        part.isNew = part.isNew || same.has(this->keyOf(corner));
       }
       if (part.kind != PartKind::NoFace && !hasThreeVertices(part.corners))
       {
@@ -488,7 +467,7 @@ private:
   void cutAtCaps(const EdgeCuts& cuts)
   {
     std::vector<Edge> own;
-    for (const Part& part : this->parts_)
+    for (const Part& part : this->parts)
     {
       if (part.kind == PartKind::Face && !part.isNew)
       {
@@ -509,9 +488,9 @@ private:
         own.insert(own.end(), outline.begin(), outline.end());
       }
     }
-    const std::vector<Edge> all = valuesOfRanks(this->exchange_, own);
+    const std::vector<Edge> all = valuesOfRanks(this->exchange, own);
     const std::set<Edge> withFace(all.begin(), all.end());
-    for (Part& part : this->parts_)
+    for (Part& part : this->parts)
     {
       if (part.isNew)
       {
@@ -560,34 +539,34 @@ private:
       return;
     }
     std::unordered_map<Key, Id> vertices;
-    for (Id vertex = 0; vertex < this->points_.size(); ++vertex)
+    for (Id vertex = 0; vertex < this->points.size(); ++vertex)
     {
-      if (this->same_[vertex] == vertex && cuts.places.count(this->keyOf(vertex)) > 0)
+      if (this->sameVertices[vertex] == vertex && cuts.places.count(this->keyOf(vertex)) > 0)
       {
         vertices.emplace(this->keyOf(vertex), vertex);
       }
     }
-    std::vector<Part> parts;
+    std::vector<Part> cutParts;
     std::vector<Triangle> pieces;
-    for (const Part& part : this->parts_)
+    for (const Part& part : this->parts)
     {
       const Splits splits = this->splitsOf(part, cuts, vertices);
       if (part.kind == PartKind::KeptFace || splits == Splits())
       {
-        parts.push_back(part);
+        cutParts.push_back(part);
         continue;
       }
       const PartKind segment = part.kind == PartKind::Face ? PartKind::Segment : part.kind;
       pieces.clear();
       cutAtEdges(
-        part.corners, splits, [this](Id vertex) { return this->points_[vertex]; }, pieces);
+        part.corners, splits, [this](Id vertex) { return this->points[vertex]; }, pieces);
       for (const Triangle& piece : pieces)
       {
-        parts.push_back(
+        cutParts.push_back(
           { piece, part.triangle, hasThreeVertices(piece) ? part.kind : segment, true });
       }
     }
-    this->parts_ = std::move(parts);
+    this->parts = std::move(cutParts);
   }
 
   /// The vertices at which a part's edges are cut, which are added if this rank does not have them.
@@ -602,12 +581,12 @@ private:
         {
           return;
         }
-        std::vector<Key> keys;
+        std::vector<Key> middles;
         cuts.appendBetween(
-          this->keyOf(part.corners[k]), this->keyOf(part.corners[(k + 1) % 3]), keys);
-        for (const Key key : keys)
+          this->keyOf(part.corners[k]), this->keyOf(part.corners[(k + 1) % 3]), middles);
+        for (const Key key : middles)
         {
-          const auto [found, isNew] = vertices.emplace(key, static_cast<Id>(this->points_.size()));
+          const auto [found, isNew] = vertices.emplace(key, static_cast<Id>(this->points.size()));
           if (isNew)
           {
             this->addVertex(key, cuts.places.at(key));
@@ -620,36 +599,27 @@ private:
 
   void addVertex(Key key, const Vec3& place)
   {
-    this->same_.push_back(static_cast<Id>(this->points_.size()));
-    this->points_.push_back(place);
-    if (!this->keys_.empty())
+    this->sameVertices.push_back(static_cast<Id>(this->points.size()));
+    this->points.push_back(place);
+    if (!this->keys.empty())
     {
-      this->keys_.push_back(key);
+      this->keys.push_back(key);
     }
   }
 
   CutTriangles result() const
   {
     CutTriangles result;
-    for (const Part& part : this->parts_)
+    for (const Part& part : this->parts)
     {
       result.parts.push_back(part.corners);
       result.triangles.push_back(part.triangle);
       const bool isFace = part.kind == PartKind::Face || part.kind == PartKind::KeptFace;
       result.areFaces.push_back(isFace ? 1 : 0);
     }
-    result.same = this->same_;
+    result.same = this->sameVertices;
     return result;
   }
-
-  std::vector<Vec3>& points_;
-  std::vector<Key>& keys_;
-  Key firstNewKey_;
-  Exchange& exchange_;
-  const std::vector<Triangle>* triangles_ = nullptr;
-  const std::vector<std::uint8_t>* areFaces_ = nullptr;
-  std::vector<Part> parts_;
-  std::vector<Id> same_;
 };
 
 } // anonymous namespace
@@ -658,7 +628,7 @@ CutTriangles removeFacesWithoutArea(std::vector<Vec3>& points, std::vector<std::
   std::uint64_t firstNewKey, const std::vector<Triangle>& triangles,
   const std::vector<std::uint8_t>& areFaces, Exchange& exchange, const Job& job)
 {
-  return Remover(points, keys, firstNewKey, exchange).run(triangles, areFaces, job);
+  return Remover{ points, keys, firstNewKey, triangles, areFaces, exchange }.run(job);
 }
 
 }

@@ -24,6 +24,9 @@ struct RefinedPoint
   SurfacePoint place;
   Vec3 position;
   double distance;
+
+  /// False if the point is at a vertex that this rank's mesh does not have.
+  bool hasPlace() const { return this->place.id != NoId; }
 };
 
 /// A refined surface, a part of it, or one refined face of any rank.

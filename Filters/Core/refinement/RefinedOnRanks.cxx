@@ -127,6 +127,10 @@ std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& po
   std::map<PlaceOnSeam, PointsAtPlace> places;
   for (Id i = 0; i < count; ++i)
   {
+    if (!points[i].hasPlace())
+    {
+      continue;
+    }
     const SurfacePoint& place = points[i].place;
     bool isKnown = false;
     std::vector<int> otherRanks; // in their order, each once

@@ -79,20 +79,6 @@ public:
     values.insert(values.end(), copies.begin(), copies.end());
   }
 
-  /// The same, but puts the copies in place of some of the rank's own values.
-  ///
-  /// \param which of its own values, in the order of the constructor's.
-  template <typename Value>
-  void replace(const std::vector<Id>& which, std::vector<Value>& values, Exchange& exchange) const
-  {
-    const std::vector<Value> copies =
-      this->copies(Value(), exchange, [&values](Id id) { return values[id]; });
-    for (std::size_t i = 0; i < which.size(); ++i)
-    {
-      values[which[i]] = copies[i];
-    }
-  }
-
 private:
   std::size_t count_ = 0;
   /// For each other rank, the values of this rank that it borrows, and the copies of its values

@@ -94,9 +94,19 @@ ReplicatedPatch SourcePatch::make() const
 namespace
 {
 
+/// An edge of a triangle, from corner k to the next, and the vertex opposite.
+///
+/// \param idOf (Id) -> GlobalId.
+template <typename IdOf>
+FaceEdge edgeOf(const Triangle& t, std::size_t k, const IdOf& idOf)
+{
+  const auto number = [&](std::size_t i) { return static_cast<std::uint64_t>(idOf(t[i % 3])); };
+  return { number(k), number(k + 1), number(k + 2) };
+}
+
 /// Adds the edges on the boundary of a partition, of faces that this rank owns.
 ///
-/// \param idOf the global number of a vertex of the partition: (Id) -> Id.
+/// \param idOf of a vertex of the partition: (Id) -> GlobalId.
 template <typename IdOf>
 void addBoundaryOf(const MeshPartition& partition, const IdOf& idOf, std::vector<FaceEdge>& edges)
 {
@@ -108,7 +118,7 @@ void addBoundaryOf(const MeshPartition& partition, const IdOf& idOf, std::vector
     {
       if (mesh.isBoundary(TriangleMesh::halfedgeOf(face, static_cast<Id>(k))))
       {
-        edges.push_back({ idOf(t[k]), idOf(t[(k + 1) % 3]), idOf(t[(k + 2) % 3]) });
+        edges.push_back(edgeOf(t, k, idOf));
       }
     }
   }
@@ -121,10 +131,8 @@ void addBarriers(const PolyDataSurface& surface, std::vector<FaceEdge>& edges)
 {
   const std::vector<GlobalVertex> remote = surface.remoteVertices();
   const Id inMesh = surface.mesh().numberOfVertices();
-  const auto idOf = [&](Id vertex)
-  {
-    return vertex < inMesh ? static_cast<Id>(surface.partition.globalId(vertex))
-                           : remote[vertex - inMesh].globalId;
+  const auto idOf = [&](Id vertex) {
+    return vertex < inMesh ? surface.partition.globalId(vertex) : remote[vertex - inMesh].globalId;
   };
   addBoundaryOf(
     surface.barriers->surface(), [&](Id i) { return idOf(surface.barrierVertices[i]); }, edges);
@@ -139,7 +147,7 @@ void addBarriers(const PolyDataSurface& surface, std::vector<FaceEdge>& edges)
     const Triangle t = surface.verticesAt(part);
     for (std::size_t k = 0; k < 3 && surface.isFace(part); ++k)
     {
-      const FaceEdge edge = { idOf(t[k]), idOf(t[(k + 1) % 3]), idOf(t[(k + 2) % 3]) };
+      const FaceEdge edge = edgeOf(t, k, idOf);
       if (rims.count(endsOf(edge)) > 0)
       {
         edges.push_back(edge);
@@ -154,8 +162,7 @@ std::vector<SourceCurve> boundaryOfAllFaces(const PolyDataSurface& surface)
 {
   std::vector<FaceEdge> own;
   addBoundaryOf(
-    surface.partition,
-    [&](Id vertex) { return static_cast<Id>(surface.partition.globalId(vertex)); }, own);
+    surface.partition, [&](Id vertex) { return surface.partition.globalId(vertex); }, own);
   if (surface.barriers)
   {
     addBarriers(surface, own);

@@ -44,11 +44,11 @@ std::vector<GlobalVertex> PolyDataSurface::remoteVertices() const
   for (Id i = 0; i < this->barrierVertices.size(); ++i)
   {
     const Id vertex = this->barrierVertices[i];
-    if (vertex >= inMesh && vertices[vertex - inMesh].globalId == NoId)
+    if (vertex >= inMesh && vertices[vertex - inMesh].globalId == GlobalId{ NoId })
     {
       const MeshPartition& onBarriers = this->barriers->surface();
-      vertices[vertex - inMesh] = { this->partition.numberOfGlobalVertices() +
-          static_cast<Id>(onBarriers.globalId(i)),
+      vertices[vertex - inMesh] = { GlobalId{ this->partition.numberOfGlobalVertices() +
+                                      static_cast<Id>(onBarriers.globalId(i)) },
         onBarriers.mesh().point(i) };
     }
   }

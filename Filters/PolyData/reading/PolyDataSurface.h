@@ -130,7 +130,7 @@ struct GlobalVertex
 {
   /// The same on all ranks for one vertex, and for no other. A vertex of the mesh has its number
   /// in the whole, a vertex of barriers only a larger one. NoId without any face.
-  Id globalId = NoId;
+  GlobalId globalId{ NoId };
   Vec3 position{};
   /// Who has faces of the mesh at the vertex, and its number there; the id is NoId if nobody has.
   RankAddress holder{ -1, NoId };
@@ -235,7 +235,7 @@ struct PolyDataSurface
   GlobalVertex vertexOfMesh(Id vertex) const
   {
     const bool hasFaces = this->mesh().cornersAt(vertex).size() > 0;
-    return { static_cast<Id>(this->partition.globalId(vertex)), this->mesh().point(vertex),
+    return { this->partition.globalId(vertex), this->mesh().point(vertex),
       { this->exchange().rank(), hasFaces ? vertex : NoId } };
   }
   /// The remote vertices: those that no face of the mesh here has. All ranks call this together.

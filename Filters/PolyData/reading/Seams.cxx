@@ -393,7 +393,7 @@ void join(const std::map<Label, const SeamVertex*>& firsts, PieceVertices& verti
 
 }
 
-std::optional<std::uint64_t> mergeSeams(const SeamSurface& surface, Exchange& exchange)
+std::uint64_t mergeSeams(const SeamSurface& surface, Exchange& exchange)
 {
   const std::vector<SeamVertex> vertices = findSeamVertices(surface, exchange);
   std::map<Label, const SeamVertex*> firsts;
@@ -413,11 +413,10 @@ std::optional<std::uint64_t> mergeSeams(const SeamSurface& surface, Exchange& ex
     }
     count += std::max<std::uint64_t>(withFaces, 1) - 1;
   }
-  if (firsts.empty())
+  if (!firsts.empty())
   {
-    return {};
+    join(firsts, surface.vertices);
   }
-  join(firsts, surface.vertices);
   return count;
 }
 

@@ -7,7 +7,6 @@
 #include "PolyData/reading/TriangleReader.h"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace geodesic
@@ -39,8 +38,8 @@ struct SeamSurface
 ///
 /// \param surface gets its vertices joined.
 /// \returns how many vertices of all ranks were joined with others, not counting those that only
-///          ghosts have; nothing if no place changes.
-std::optional<std::uint64_t> mergeSeams(const SeamSurface& surface, Exchange& exchange);
+///          ghosts have.
+std::uint64_t mergeSeams(const SeamSurface& surface, Exchange& exchange);
 
 }
 

@@ -17,33 +17,6 @@ namespace
 
 using Label = PieceVertices::Label;
 
-/// Where a place is nearest to a triangle's outline.
-struct OnOutline
-{
-  /// From this corner to the next.
-  std::size_t edge = 0;
-  double fraction = 0.0;
-};
-
-OnOutline nearestOnOutline(const std::array<Vec3, 3>& corners, const Vec3& place)
-{
-  OnOutline nearest;
-  double least = Infinity;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const Vec3 along = corners[(k + 1) % 3] - corners[k];
-    const double fraction =
-      std::clamp(dot(place - corners[k], along) / dot(along, along), 0.0, 1.0);
-    const double distance = norm(place - (corners[k] + fraction * along));
-    if (distance < least)
-    {
-      least = distance;
-      nearest = { k, fraction };
-    }
-  }
-  return nearest;
-}
-
 /// Gives the corners of parts points.
 struct PartCorners
 {
@@ -71,16 +44,11 @@ struct PartCorners
   Triangle pointsOf(const Triangle& part, Id triangle)
   {
     const Triangle vertices = this->verticesOf(triangle);
-    Triangle points = pointsOfTriangle(this->surface.blocks, triangle);
-    if (part != vertices)
-    {
-      const Triangle own = points;
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        points[k] = this->pointOf(part[k], triangle, vertices, own);
-      }
-    }
-    return points;
+    const Triangle points = pointsOfTriangle(this->surface.blocks, triangle);
+    const auto pointAtCorner = [&](std::size_t k)
+    { return this->pointOf(part[k], triangle, vertices, points); };
+    return part == vertices ? points
+                            : Triangle{ pointAtCorner(0), pointAtCorner(1), pointAtCorner(2) };
   }
 
   std::size_t blockOf(Id triangle) const
@@ -108,14 +76,27 @@ struct PartCorners
   /// The point at a vertex on an edge of a triangle, which its neighbor at the edge has, too.
   Id cutPointOf(Id vertex, const Triangle& own, const Triangle& points)
   {
-    const auto [k, fraction] = nearestOnOutline(
-      { this->places[own[0]], this->places[own[1]], this->places[own[2]] }, this->places[vertex]);
-    std::array<Id, 2> parents = { points[k], points[(k + 1) % 3] };
-    double weight = fraction;
+    std::array<Id, 2> parents = { points[0], points[1] };
+    double weight = 0.0;
+    double least = Infinity;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Vec3& from = this->places[own[k]];
+      const Vec3 along = this->places[own[(k + 1) % 3]] - from;
+      const double fraction =
+        std::clamp(dot(this->places[vertex] - from, along) / dot(along, along), 0.0, 1.0);
+      const double distance = norm(this->places[vertex] - (from + fraction * along));
+      if (distance < least)
+      {
+        least = distance;
+        parents = { points[k], points[(k + 1) % 3] };
+        weight = fraction;
+      }
+    }
     if (parents[1] < parents[0])
     {
       std::swap(parents[0], parents[1]);
-      weight = 1.0 - fraction;
+      weight = 1.0 - weight;
     }
     const auto next =
       this->surface.numberOfPoints + static_cast<Id>(this->surface.cutPoints.size());

@@ -18,7 +18,6 @@
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -78,13 +77,6 @@ Vec3 roundedToSingle(const Vec3& p)
     [](double x) { return std::abs(x) <= FLT_MAX ? double(static_cast<float>(x)) : Infinity; });
   return rounded;
 }
-
-/// The faces of the surface, on vertices.
-struct Faces
-{
-  std::vector<Triangle> open;
-  std::vector<Triangle> barriers;
-};
 
 /// The faces that all blocks have, which may be none.
 vtkIdType countFaces(const std::vector<PolyDataBlock>& inputs)
@@ -147,7 +139,7 @@ struct SurfaceReader
   const PointMerging merging;
   Exchange& exchange;
   const Job& job;
-  /// What is read so far. Its box is around the triangles of this rank.
+  /// What is read so far.
   PolyDataSurface surface{};
   /// Whether a point has a coordinate that is NaN or infinite.
   bool isAnyNotFinite = false;
@@ -194,9 +186,9 @@ struct SurfaceReader
     joining.reach(1.0);
     this->surface.roles = findRoles(this->inputs, this->vertices, this->triangles, this->exchange);
     keepTriangles(this->inputs, this->triangles, this->surface.blocks);
-    this->makeParts();
-    this->makeMeshes(this->takeFaces());
     this->surface.useBlocks(this->inputs);
+    this->makeParts();
+    this->makeMeshes();
     return std::move(this->surface);
   }
 
@@ -283,14 +275,12 @@ struct SurfaceReader
   void scaleVertices()
   {
     const std::vector<Triangle>& corners = this->triangles.corners;
-    Box& box = this->surface.box;
-    box = this->boxOf(corners, this->vertices.of);
+    const Box box = this->boxOf(corners, this->vertices.of);
     const double largest =
       this->exchange.largestOf(corners.empty() ? 0.0 : box.largestCoordinate());
     const PowerOfTwoScale scale = this->surface.scale = requireScale(largest);
     if (!scale.isOne() || this->isAnyNotFinite)
     {
-      box = { scale.toEngine(box.low), scale.toEngine(box.high) };
       for (Vec3& p : this->vertices.positions)
       {
         for (double& x : p)
@@ -325,18 +315,13 @@ struct SurfaceReader
   /// Joins vertices that only the precision of coordinates, or the user's tolerance, keeps apart.
   void joinSeams(std::vector<double> precisions)
   {
-    const std::optional<std::uint64_t> joined =
+    const std::uint64_t joined =
       mergeSeams({ this->vertices, this->triangles, std::move(precisions), this->largestCoordinate,
                    this->surface.scale.toEngine(this->merging.tolerance) },
         this->exchange);
-    if (!joined)
-    {
-      return;
-    }
     // All ranks have counted the same.
     this->surface.report.joinedSeamPoints =
-      this->exchange.rank() == 0 ? static_cast<vtkIdType>(*joined) : 0;
-    this->surface.box = this->boxOf(this->triangles.corners, this->vertices.of);
+      this->exchange.rank() == 0 ? static_cast<vtkIdType>(joined) : 0;
   }
 
   /// From here on the triangles are parts, on vertices.
@@ -360,66 +345,64 @@ struct SurfaceReader
     this->surface.numberOfParts = static_cast<Id>(corners.size());
   }
 
-  /// Takes the faces. Those of the mesh reuse the memory of the triangles, which are gone then.
-  Faces takeFaces()
+  /// Leaves only the open ones of the parts.
+  ///
+  /// \returns the barriers.
+  std::vector<Triangle> takeBarriers(std::vector<Triangle>& parts)
   {
-    Faces faces;
-    faces.open = std::move(this->triangles.corners);
-    this->triangles = {};
-    std::vector<Triangle>& open = faces.open;
+    std::vector<Triangle> barriers;
     std::vector<Id>& openParts = this->surface.openParts;
     const std::vector<TriangleRole>& roles = this->surface.roles;
     for (Id i = 0; i < roles.size(); ++i)
     {
       if (roles[i] == TriangleRole::Open)
       {
-        open[openParts.size()] = open[i];
+        parts[openParts.size()] = parts[i];
         openParts.push_back(i);
       }
       else if (roles[i] == TriangleRole::Barrier)
       {
-        faces.barriers.push_back(open[i]);
+        barriers.push_back(parts[i]);
         this->surface.barrierParts.push_back(i);
       }
     }
-    open.resize(roles.empty() ? open.size() : openParts.size());
-    return faces;
+    parts.resize(roles.empty() ? parts.size() : openParts.size());
+    return barriers;
   }
 
-  /// The bounding box of the points that faces use, on all ranks. Other points are not surface, and
-  /// may lie anywhere.
-  Box boxOf(const Faces& faces) const
+  /// Finds the bounding box of the points that faces use, on all ranks. Other points are not
+  /// surface, and may lie anywhere.
+  void findBox(const std::vector<Triangle>& open, const std::vector<Triangle>& barriers)
   {
-    Box own = this->surface.box;
-    if (!this->surface.roles.empty())
-    {
-      own = this->boxOf(faces.open, {});
-      own.add(this->boxOf(faces.barriers, {}));
-    }
-    Box whole;
+    Box own = this->boxOf(open, {});
+    own.add(this->boxOf(barriers, {}));
+    Box& whole = this->surface.box;
     for (const Box& box : valuesOfRanks(this->exchange, own))
     {
       whole.add(box);
     }
-    return whole;
+    this->surface.diagonal = norm(whole.high - whole.low);
   }
 
-  /// Makes the meshes of the open faces and of the barriers.
-  void makeMeshes(Faces faces)
+  /// Makes the meshes of the open faces, for which they take the memory of the triangles, and of
+  /// the barriers.
+  void makeMeshes()
   {
-    this->surface.box = this->boxOf(faces);
-    this->surface.diagonal = norm(this->surface.box.high - this->surface.box.low);
+    std::vector<Triangle> open = std::move(this->triangles.corners);
+    this->triangles = {};
+    std::vector<Triangle> barriers = this->takeBarriers(open);
+    this->findBox(open, barriers);
     std::vector<Id>& inBarriers = this->surface.barrierVertices;
-    inBarriers = numberUsedVertices(faces.barriers, this->vertices.positions.size());
+    inBarriers = numberUsedVertices(barriers, this->vertices.positions.size());
     std::vector<Vec3> barrierPoints;
     std::vector<std::uint64_t> barrierKeys;
     this->vertices.copy(inBarriers, barrierPoints, barrierKeys);
     std::vector<std::uint64_t> keys;
-    std::vector<Id> numbers = this->vertices.keepUsed(faces.open, this->exchange, keys);
+    std::vector<Id> numbers = this->vertices.keepUsed(open, this->exchange, keys);
     this->surface.valuesElsewhere = this->vertices.valuesElsewhere(numbers, this->exchange);
     this->vertices.labels = {};
     MeshPartition& partition = this->surface.partition;
-    partition = MeshPartition(std::move(this->vertices.positions), faces.open, keys, this->exchange,
+    partition = MeshPartition(std::move(this->vertices.positions), open, keys, this->exchange,
       this->job.part(SeamsJoined, 1.0));
     Id next = partition.mesh().numberOfVertices();
     for (Id& number : numbers)
@@ -430,10 +413,10 @@ struct SurfaceReader
     {
       vertex = numbers.empty() ? vertex : numbers[vertex];
     }
-    if (this->exchange.isTrueAnywhere(!faces.barriers.empty()))
+    if (this->exchange.isTrueAnywhere(!barriers.empty()))
     {
-      this->surface.barriers = std::make_unique<BarrierFaces>(partition,
-        MeshPartition(std::move(barrierPoints), faces.barriers, barrierKeys, this->exchange));
+      this->surface.barriers = std::make_unique<BarrierFaces>(
+        partition, MeshPartition(std::move(barrierPoints), barriers, barrierKeys, this->exchange));
     }
     this->vertices.of.renumber(std::move(numbers));
     this->surface.vertexOf = std::move(this->vertices.of);

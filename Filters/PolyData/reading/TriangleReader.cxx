@@ -272,7 +272,6 @@ void keepTriangles(const std::vector<PolyDataBlock>& inputs, const TriangleList&
     block.areInputCells = block.areInputCells && count == inputs[index].data->GetNumberOfCells();
     if (block.areInputCells)
     {
-      block.triangles = inputs[index].data->GetPolys();
       continue;
     }
     constexpr vtkIdType idsATriangle = 4; // three points and an offset

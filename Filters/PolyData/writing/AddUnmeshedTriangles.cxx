@@ -31,89 +31,77 @@ void addSplits(const RefinedMesh& face, Id a, Id b, std::vector<Id>& splits)
   }
 }
 
-/// A triangle that is not a face, and the refined faces at its edges; empty where there is none.
-struct TriangleToCut
-{
-  const UnmeshedTriangle& triangle;
-  const RefinedMesh* faces;
-
-  /// The edge of the face at edge k.
-  Id edgeOfFace(std::size_t k) const
-  {
-    const Triangle& vertices = this->triangle.vertices;
-    return this->triangle.faces[k].edgeBetween(vertices[k], vertices[(k + 1) % 3]);
-  }
-  /// The points on edge k, by their numbers in the face there and along its edge.
-  std::vector<Id> splitsAt(std::size_t k) const
-  {
-    std::vector<Id> splits;
-    const Id edge = this->edgeOfFace(k);
-    addSplits(this->faces[k], edge, (edge + 1) % 3, splits);
-    return splits;
-  }
-  std::size_t numberOfParts() const
-  {
-    return this->triangle.isOnFace()
-      ? this->faces[0].triangles.size()
-      : 1 + this->splitsAt(0).size() + this->splitsAt(1).size() + this->splitsAt(2).size();
-  }
-};
-
-/// How the faces at the triangles' edges are refined, three for each triangle.
-std::vector<RefinedMesh> facesAtEdges(const UnmeshedTriangles& unmeshed,
-  const std::vector<Triangle>& cornerPoints, const RefinedMesh& refined)
-{
-  std::vector<RankAddress> faces;
-  for (const UnmeshedTriangle& triangle : unmeshed.ofThisRank())
-  {
-    for (const GlobalFace& face : triangle.faces)
-    {
-      faces.push_back(face.address);
-    }
-  }
-  return findRefinedFaces(faces, unmeshed.surface().partition, refined, cornerPoints);
-}
-
-/// Cuts triangles like faces, with points of their own.
+/// Cuts triangles that are not faces like the faces at their edges, with points of their own.
 struct TriangleCutter
 {
   const UnmeshedTriangles& unmeshed;
   RefinedMesh& refined;
+  /// The refined faces at the triangles' edges, three for each triangle; empty where there is none.
+  const std::vector<RefinedMesh> faces;
   const PolyDataSurface& surface = unmeshed.surface();
   SplitPointNumbering numbering{ refined };
   const RefinedMesh* face = nullptr;
   /// The triangle's own points in place of the face's.
   std::unordered_map<Id, Id> numbers{};
 
-  /// \param isWhole whether a triangle on the vertices of a face is not cut.
-  void add(const TriangleToCut& cut, bool isWhole, std::vector<Triangle>& triangles)
+  const UnmeshedTriangle& triangle(std::size_t i) const { return this->unmeshed.ofThisRank()[i]; }
+
+  /// The points on edge k, by their numbers in the face there and along its edge.
+  std::vector<Id> splitsAt(std::size_t i, std::size_t k) const
   {
-    if (!cut.triangle.isOnFace())
+    std::vector<Id> splits;
+    const Id edge = this->triangle(i).faces[k].edge(k);
+    addSplits(this->faces[3 * i + k], edge, (edge + 1) % 3, splits);
+    return splits;
+  }
+  std::size_t numberOfParts(std::size_t i) const
+  {
+    return this->triangle(i).isOnFace()
+      ? this->faces[3 * i].triangles.size()
+      : 1 + this->splitsAt(i, 0).size() + this->splitsAt(i, 1).size() + this->splitsAt(i, 2).size();
+  }
+
+  /// Whether all ranks have more triangles than they may. Copies do not count.
+  bool areTooMany(std::uint64_t maximumFaces) const
+  {
+    std::uint64_t total = this->refined.triangles.size();
+    for (std::size_t i = 0; i < this->unmeshed.ofThisRank().size(); ++i)
     {
-      this->addCut(cut, triangles);
+      total += this->surface.isCopy(this->triangle(i).part) ? 0 : this->numberOfParts(i);
     }
-    else if (isWhole || cut.numberOfParts() <= 1)
+    return sumOverRanks(this->surface.exchange(), total).all > maximumFaces && maximumFaces > 0;
+  }
+
+  /// \param isWhole whether a triangle on the vertices of a face is not cut.
+  void add(std::size_t i, bool isWhole, std::vector<Triangle>& triangles)
+  {
+    if (!this->triangle(i).isOnFace())
     {
-      triangles.push_back(this->surface.cornersOf(cut.triangle.part));
+      this->addCut(i, triangles);
+    }
+    else if (isWhole || this->numberOfParts(i) <= 1)
+    {
+      triangles.push_back(this->surface.cornersOf(this->triangle(i).part));
     }
     else
     {
-      this->addParts(cut, triangles);
+      this->addParts(i, triangles);
     }
   }
 
-  /// What follows is about the face at an edge of a triangle.
-  ///
-  /// \param corners how many of the triangle's corners the face has, from corner k on.
-  void begin(const TriangleToCut& cut, std::size_t k, std::size_t corners)
+  /// What follows is about the face at edge k of a triangle.
+  void begin(std::size_t i, std::size_t k)
   {
-    this->face = &cut.faces[k];
+    this->face = &this->faces[3 * i + k];
     this->numbers.clear();
-    const Triangle points = this->surface.cornersOf(cut.triangle.part);
-    for (std::size_t i = k; i < k + corners; ++i)
+    const Triangle points = this->surface.cornersOf(this->triangle(i).part);
+    const Triangle& corners = this->triangle(i).faces[k].corners;
+    for (Id own = 0; own < 3; ++own)
     {
-      const Id vertex = cut.triangle.vertices[i % 3];
-      this->numbers[cornerAt(cut.triangle.faces[k].vertices, vertex)] = points[i % 3];
+      if (corners[own] != FaceAtEdge::None)
+      {
+        this->numbers[own] = points[corners[own]];
+      }
     }
   }
 
@@ -135,13 +123,11 @@ struct TriangleCutter
       });
   }
 
-  void addParts(const TriangleToCut& cut, std::vector<Triangle>& triangles)
+  void addParts(std::size_t i, std::vector<Triangle>& triangles)
   {
-    this->begin(cut, 0, 3);
-    const Triangle& vertices = cut.triangle.vertices;
-    const Triangle& there = cut.triangle.faces[0].vertices;
-    const Id first = cornerAt(vertices, there[0]);
-    const bool isTurned = vertices[(first + 1) % 3] != there[1];
+    this->begin(i, 0);
+    const Triangle& corners = this->triangle(i).faces[0].corners;
+    const bool isTurned = corners[1] != (corners[0] + 1) % 3;
     for (const Triangle& t : this->face->triangles)
     {
       const Id a = this->ownPoint(t[0]);
@@ -152,61 +138,48 @@ struct TriangleCutter
   }
 
   /// Cuts a triangle as the faces at its edges are.
-  void addCut(const TriangleToCut& cut, std::vector<Triangle>& triangles)
+  void addCut(std::size_t i, std::vector<Triangle>& triangles)
   {
-    const Triangle points = this->surface.cornersOf(cut.triangle.part);
-    const Triangle vertices = this->surface.vertexOf(points);
+    const Triangle points = this->surface.cornersOf(this->triangle(i).part);
     const auto positionOf = [&](Id point)
     {
-      const Id corner = cornerAt(points, point);
-      return corner < 3 ? this->unmeshed.vertex(vertices[corner]).position
-                        : this->refined.pointAt(point).position;
+      return std::find(points.begin(), points.end(), point) != points.end()
+        ? this->unmeshed.vertex(this->surface.vertexOf(point)).position
+        : this->refined.pointAt(point).position;
     };
     std::array<std::vector<Id>, 3> splits; // on the edge from corner k to the next
     for (std::size_t k = 0; k < 3; ++k)
     {
-      splits[k] = cut.splitsAt(k);
-      if (!splits[k].empty())
+      splits[k] = this->splitsAt(i, k);
+      this->begin(i, k);
+      for (Id& point : splits[k])
       {
-        this->begin(cut, k, 2);
-        for (Id& point : splits[k])
-        {
-          point = this->ownPoint(point);
-        }
-        if (cut.triangle.faces[k].vertices[cut.edgeOfFace(k)] != cut.triangle.vertices[k])
-        {
-          std::reverse(splits[k].begin(), splits[k].end());
-        }
+        point = this->ownPoint(point);
+      }
+      const FaceAtEdge& there = this->triangle(i).faces[k];
+      if (there.corners[there.edge(k)] != k)
+      {
+        std::reverse(splits[k].begin(), splits[k].end());
       }
     }
     cutAtEdges(points, splits, positionOf, triangles);
   }
 };
 
-/// Whether all ranks have more triangles than they may. Copies do not count.
-bool areTooMany(const PolyDataSurface& surface, const std::vector<TriangleToCut>& cuts,
-  const RefinedMesh& refined, std::uint64_t maximumFaces)
-{
-  std::uint64_t total = refined.triangles.size();
-  for (const TriangleToCut& cut : cuts)
-  {
-    total += surface.isCopy(cut.triangle.part) ? 0 : cut.numberOfParts();
-  }
-  return sumOverRanks(surface.exchange(), total).all > maximumFaces && maximumFaces > 0;
-}
-
 /// Counts the surface's cut points among the points of refinement: the first of these.
 void takeCutPoints(
-  const PolyDataSurface& surface, const std::vector<double>& vertexDistances, RefinedMesh& refined)
+  const UnmeshedTriangles& unmeshed, std::vector<double> vertexDistances, RefinedMesh& refined)
 {
+  const PolyDataSurface& surface = unmeshed.surface();
+  surface.completeValues(Infinity, vertexDistances);
   std::vector<RefinedPoint> points;
   for (std::size_t i = 0; i < surface.cutPoints.size(); ++i)
   {
     const Id vertex = surface.vertexOf(surface.numberOfPoints + static_cast<Id>(i));
     const bool isInMesh = vertex < surface.mesh().numberOfVertices();
     points.push_back({ surface.cutPoints[i].parents, surface.cutPoints[i].weight,
-      SurfacePoint::atVertex(vertex), isInMesh ? surface.mesh().point(vertex) : Vec3(),
-      isInMesh ? vertexDistances[vertex] : Infinity });
+      SurfacePoint::atVertex(isInMesh ? vertex : NoId), unmeshed.vertex(vertex).position,
+      vertexDistances[vertex] });
   }
   points.insert(points.end(), refined.points.begin(), refined.points.end());
   refined.points = std::move(points);
@@ -228,24 +201,27 @@ RefinedMesh addUnmeshedTriangles(const UnmeshedTriangles& unmeshed, std::uint64_
     }
     return refined;
   }
-  takeCutPoints(surface, vertexDistances, refined);
-  const std::vector<RefinedMesh> faces = facesAtEdges(unmeshed, cornerPoints, refined);
-  std::vector<TriangleToCut> cuts;
+  takeCutPoints(unmeshed, vertexDistances, refined);
+  std::vector<RankAddress> faces;
   for (const UnmeshedTriangle& triangle : unmeshed.ofThisRank())
   {
-    cuts.push_back({ triangle, faces.data() + 3 * cuts.size() });
+    for (const FaceAtEdge& face : triangle.faces)
+    {
+      faces.push_back(face.address);
+    }
   }
-  const bool stayWhole = areTooMany(surface, cuts, refined, maximumFaces);
-  TriangleCutter cutter{ unmeshed, refined };
+  TriangleCutter cutter{ unmeshed, refined,
+    findRefinedFaces(faces, surface.partition, refined, cornerPoints) };
+  const bool stayWhole = cutter.areTooMany(maximumFaces);
   std::vector<Triangle> triangles;
   std::vector<Id> parents;
   std::size_t next = 0;
-  auto cut = cuts.begin();
+  std::size_t cut = 0;
   for (Id part = 0; part < surface.numberOfParts; ++part)
   {
-    if (cut != cuts.end() && cut->triangle.part == part)
+    if (cut < unmeshed.ofThisRank().size() && cutter.triangle(cut).part == part)
     {
-      cutter.add(*cut++, stayWhole && !surface.isCopy(part), triangles);
+      cutter.add(cut++, stayWhole && !surface.isCopy(part), triangles);
     }
     for (; next < refined.faces.size() && surface.partOf(refined.faces[next]) == part; ++next)
     {

@@ -228,14 +228,14 @@ std::vector<SourceValues> SourceArrays::atVertices(
 }
 
 std::vector<SourceValues> SourceArrays::atNewPoints(const RefinedMesh& refined,
-  const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
-  const Job& job) const
+  const std::vector<SourceValues>& atVertices, const DistanceField& computed,
+  const DistanceField& exact, NearestSource& nearest, const Job& job) const
 {
   const std::vector<RefinedPoint>& points = refined.points;
   const std::size_t count = refined.numberOfPointsWithPlaces();
   const auto at = [&](std::size_t i)
   {
-    const bool isReached = points[i].distance < Infinity;
+    const bool isReached = points[i].distance < Infinity && points[i].hasPlace();
     const bool isOther = this->choice.gradients && isReached && &computed != &exact;
     const IncomingSegment piece =
       isReached ? incomingSegmentTo(exact, points[i].place) : IncomingSegment();
@@ -243,9 +243,22 @@ std::vector<SourceValues> SourceArrays::atNewPoints(const RefinedMesh& refined,
       isOther ? incomingSegmentTo(computed, points[i].place) : piece);
   };
   std::vector<SourceValues> values = collect(*this, nearest, count, computed, job, at);
+  for (Id i = 0; i < this->surface.cutPoints.size(); ++i)
+  {
+    if (!points[i].hasPlace())
+    {
+      values[i] = atVertices[this->surface.vertexOf(this->surface.numberOfPoints + i)];
+    }
+  }
   Exchange& exchange = this->surface.exchange();
   const SeamPoints seams = findSeamPoints(points, count, computed, exact);
-  BorrowedValues(seams.there, exchange).replace(seams.here, values, exchange);
+  const std::vector<SourceValues> ofOthers =
+    BorrowedValues(seams.there, exchange)
+      .copies(SourceValues(), exchange, [&](Id i) { return values[i]; });
+  for (std::size_t i = 0; i < seams.here.size(); ++i)
+  {
+    values[seams.here[i]] = ofOthers[i];
+  }
   BorrowedValues(refined.copied, exchange).append({}, values, exchange);
   return values;
 }

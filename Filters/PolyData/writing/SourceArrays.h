@@ -88,8 +88,11 @@ struct SourceArrays
   /// Values for the points that refinement has added. A point on a seam has the values of the rank
   /// that knows them best. All ranks call this together.
   ///
+  /// \param atVertices from atVertices(), for points that cut the surface where this rank has no
+  ///        face.
   /// \param exact the field that feet are of, with arrivals; the computed one or another.
-  std::vector<SourceValues> atNewPoints(const RefinedMesh& refined, const DistanceField& computed,
+  std::vector<SourceValues> atNewPoints(const RefinedMesh& refined,
+    const std::vector<SourceValues>& atVertices, const DistanceField& computed,
     const DistanceField& exact, NearestSource& nearest, const Job& job) const;
 
   /// Adds the arrays of one block to its points: those of the input, then those that were added.

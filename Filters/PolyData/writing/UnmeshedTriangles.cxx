@@ -38,26 +38,20 @@ void UnmeshedTriangles::findFaces()
   Questions questions(this->surface_.exchange());
   for (std::size_t i = 0; i < this->triangles_.size(); ++i)
   {
-    UnmeshedTriangle& triangle = this->triangles_[i];
-    const Triangle numbers = this->surface_.verticesAt(triangle.part);
-    std::array<RankAddress, 3> holders;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const GlobalVertex vertex = this->vertex(numbers[k]);
-      triangle.vertices[k] = vertex.globalId;
-      holders[k] = vertex.holder;
-    }
+    const Triangle numbers = this->surface_.verticesAt(this->triangles_[i].part);
+    const std::array<GlobalVertex, 3> corners = { this->vertex(numbers[0]),
+      this->vertex(numbers[1]), this->vertex(numbers[2]) };
     for (std::size_t k = 0; k < 3; ++k)
     {
       const std::size_t next = (k + 1) % 3;
-      if (numbers[k] != numbers[next] && holders[k].id != NoId && holders[next].id != NoId)
+      const RankAddress& here = corners[k].holder;
+      const RankAddress& there = corners[next].holder;
+      if (numbers[k] != numbers[next] && here.id != NoId && there.id != NoId)
       {
         // A rank with some of the faces around a vertex knows all of them: this rank, if possible.
-        const bool isNextHere = holders[k].rank != rank && holders[next].rank == rank;
-        const RankAddress& asked = holders[isNextHere ? next : k];
+        const RankAddress& asked = here.rank != rank && there.rank == rank ? there : here;
         questions.ask(asked.rank, 3 * i + k, asked.id,
-          Triangle{
-            triangle.vertices[k], triangle.vertices[next], triangle.vertices[(k + 2) % 3] });
+          GlobalTriangle{ corners[0].globalId, corners[1].globalId, corners[2].globalId }, k);
       }
     }
   }
@@ -65,10 +59,11 @@ void UnmeshedTriangles::findFaces()
     [this](MessageReader& question, Message& answer)
     {
       const Id vertex = question.get<Id>();
-      put(answer, this->faceAround(vertex, question.get<Triangle>()));
+      const auto ids = question.get<GlobalTriangle>();
+      put(answer, this->faceAround(vertex, ids, question.get<std::size_t>()));
     },
     [this](std::size_t i, MessageReader& answer)
-    { this->triangles_[i / 3].faces[i % 3] = answer.get<GlobalFace>(); });
+    { this->triangles_[i / 3].faces[i % 3] = answer.get<FaceAtEdge>(); });
   for (UnmeshedTriangle& triangle : this->triangles_)
   {
     if (triangle.isOnFace())
@@ -79,19 +74,28 @@ void UnmeshedTriangles::findFaces()
 }
 
 // A face on all three vertices is best, then one that the rank owns.
-GlobalFace UnmeshedTriangles::faceAround(Id vertex, const Triangle& wanted) const
+FaceAtEdge UnmeshedTriangles::faceAround(Id vertex, const GlobalTriangle& ids, std::size_t k) const
 {
   const MeshPartition& partition = this->surface_.partition;
-  const auto idOf = [&partition](Id corner) { return static_cast<Id>(partition.globalId(corner)); };
-  GlobalFace found;
+  const std::size_t next = (k + 1) % 3;
+  FaceAtEdge found;
   int best = -1;
   for (const Id corner : partition.mesh().cornersAt(vertex))
   {
     const Id number = TriangleMesh::faceOf(corner);
-    const auto& [a, b, c] = partition.mesh().triangle(number);
-    const GlobalFace face{ partition.addressOf(number), { idOf(a), idOf(b), idOf(c) } };
-    const int order = (face.hasVertex(wanted[2]) ? 2 : 0) + (partition.isOwn(number) ? 1 : 0);
-    if (order > best && face.hasVertex(wanted[0]) && face.hasVertex(wanted[1]))
+    FaceAtEdge face{ partition.addressOf(number) };
+    // If the third corner is at an end of the edge, the end counts: it comes later.
+    for (const std::size_t own : { (k + 2) % 3, next, k })
+    {
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const bool isThere = partition.globalId(partition.mesh().triangle(number)[i]) == ids[own];
+        face.corners[i] = isThere ? static_cast<Id>(own) : face.corners[i];
+      }
+    }
+    const bool isOnAll = face.find(FaceAtEdge::None) == FaceAtEdge::None;
+    const int order = (isOnAll ? 2 : 0) + (partition.isOwn(number) ? 1 : 0);
+    if (order > best && face.find(k) != FaceAtEdge::None && face.find(next) != FaceAtEdge::None)
     {
       found = face;
       best = order;
@@ -109,12 +113,11 @@ std::unordered_map<Id, Id> UnmeshedTriangles::countAtEdges() const
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const GlobalFace& face = triangle.faces[k];
+      const FaceAtEdge& face = triangle.faces[k];
       if (face.isThere() && !triangle.isOnFace() && !this->surface_.isCopy(triangle.part))
       {
-        const Id edge = face.edgeBetween(triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
-        put(
-          messages[rankIndex(face.address.rank)], TriangleMesh::halfedgeOf(face.address.id, edge));
+        put(messages[rankIndex(face.address.rank)],
+          TriangleMesh::halfedgeOf(face.address.id, face.edge(k)));
       }
     }
   }

@@ -14,25 +14,27 @@
 namespace geodesic
 {
 
-/// Which corner of a triangle is at a vertex; 3 if none is.
-inline Id cornerAt(const Triangle& triangle, Id vertex)
+/// A face of the mesh, of any rank, at an edge of a triangle.
+struct FaceAtEdge
 {
-  return static_cast<Id>(std::find(triangle.begin(), triangle.end(), vertex) - triangle.begin());
-}
+  static constexpr Id None = 3;
 
-/// A face of the mesh of the whole surface, and the global numbers of the vertices at its corners.
-struct GlobalFace
-{
   RankAddress address{ -1, NoId };
-  Triangle vertices{ NoId, NoId, NoId };
+  /// Which corner of the triangle each of the face's corners is, or None.
+  Triangle corners{ None, None, None };
 
   bool isThere() const { return this->address.id != NoId; }
-  bool hasVertex(Id vertex) const { return cornerAt(this->vertices, vertex) < 3; }
-  /// Which of its edges has these vertices.
-  Id edgeBetween(Id a, Id b) const
+  /// Which of its corners is this one of the triangle; None if none is.
+  Id find(std::size_t corner) const
   {
-    const Id k = cornerAt(this->vertices, a);
-    return this->vertices[(k + 1) % 3] == b ? k : (k + 2) % 3;
+    const auto found = std::find(this->corners.begin(), this->corners.end(), corner);
+    return static_cast<Id>(found - this->corners.begin());
+  }
+  /// Which of its edges is the triangle's from corner k to the next.
+  Id edge(std::size_t k) const
+  {
+    const Id i = this->find(k);
+    return this->corners[(i + 1) % 3] == (k + 1) % 3 ? i : (i + 2) % 3;
   }
 };
 
@@ -40,18 +42,11 @@ struct GlobalFace
 struct UnmeshedTriangle
 {
   Id part;
-  /// Global numbers of its vertices.
-  Triangle vertices{};
-  /// A face of the mesh, of any rank, at each of its edges, from corner k on. If there is a face on
-  /// the same three vertices, this face is the first, and the others are not set.
-  std::array<GlobalFace, 3> faces{};
+  /// The face at each edge, from corner k to the next. If there is a face on the same three
+  /// vertices, it is the first, and the others are not set.
+  std::array<FaceAtEdge, 3> faces{};
 
-  bool isOnFace() const
-  {
-    const auto isThere = [this](Id vertex) { return this->faces[0].hasVertex(vertex); };
-    return hasThreeVertices(this->vertices) &&
-      std::all_of(this->vertices.begin(), this->vertices.end(), isThere);
-  }
+  bool isOnFace() const { return this->faces[0].find(FaceAtEdge::None) == FaceAtEdge::None; }
 };
 
 /// The parts of a surface that are not faces of its mesh: barriers, segments, copies, and all but
@@ -87,8 +82,9 @@ public:
 private:
   void findFaces();
   /// \param vertex of this rank's mesh.
-  /// \param wanted global numbers of an edge's ends, and of a third vertex, which a face may have.
-  GlobalFace faceAround(Id vertex, const Triangle& wanted) const;
+  /// \param ids a triangle's vertices.
+  /// \param k the triangle's edge.
+  FaceAtEdge faceAround(Id vertex, const GlobalTriangle& ids, std::size_t k) const;
 
   const PolyDataSurface& surface_;
   std::vector<GlobalVertex> remote_;
