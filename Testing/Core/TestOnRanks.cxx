@@ -557,7 +557,9 @@ TEST_P(OnRanks, RefinementStopsAtAMaximumOfAllRanksTogether)
 {
   Random random(600);
   RandomScene scene(GetParam(), random);
-  scene.tolerance = 1e-6 * scene.largest;
+  // As needs more room than there is, but not a thousand times as much; needles need less.
+  const bool isThin = scene.accuracy > OrdinaryAccuracy;
+  scene.tolerance = (isThin ? 1e-6 : 1e-4) * scene.largest;
   const auto faces = static_cast<std::uint64_t>(scene.whole.numberOfFaces());
   scene.maximumFaces = 3 * faces;
   forEachCut(scene.mesh, { { 2, false }, { 7, true } }, random,
@@ -610,25 +612,7 @@ TEST_P(OnRanks, NothingDependsOnThreadsOrOnWhichRankComesFirst)
 }
 
 // The last bits differ where two paths have the same length, or three lists meet on an edge.
-TEST(BitsOnRanks, OfNearlyAllFieldsAreThoseOfOneProcess)
-{
-  std::size_t scenes = 0;
-  std::size_t same = 0;
-  for (const MeshKind& kind : meshKinds())
-  {
-    for (Random& random : EachSeed(meshesOfAKind(5), 800))
-    {
-      const RandomScene scene(kind, random);
-      const CutMesh cut = cutAtRandom(scene.mesh, 3, random);
-      const std::vector<double> one = fieldOnRanks(scene.uncut(), scene).distances;
-      same += fieldOnRanks(cut, scene).distances == one ? 1 : 0;
-      ++scenes;
-    }
-  }
-  EXPECT_GE(20 * same, 19 * scenes) << same << " of " << scenes;
-}
-
-TEST(BitsOnRanks, OfMostRefinedSurfacesAreThoseOfOneProcess)
+TEST(BitsOnRanks, OfNearlyAllFieldsAndOfMostRefinedSurfacesAreThoseOfOneProcess)
 {
   const auto pointsOf = [](const Joined& joined)
   {
@@ -640,21 +624,27 @@ TEST(BitsOnRanks, OfMostRefinedSurfacesAreThoseOfOneProcess)
     return points;
   };
   std::size_t scenes = 0;
-  std::size_t same = 0;
+  std::size_t sameFields = 0;
+  std::size_t sameSurfaces = 0;
   for (const MeshKind& kind : meshKinds())
   {
     for (Random& random : EachSeed(meshesOfAKind(5), 800))
     {
       const RandomScene scene(kind, random);
+      const CutMesh cut = cutAtRandom(scene.mesh, 3, random);
+      const bool isSame =
+        fieldOnRanks(cut, scene).distances == fieldOnRanks(scene.uncut(), scene).distances;
+      sameFields += isSame ? 1 : 0;
       const Joined one = refineOnRanks(scene.uncut(), scene);
-      const Joined other = refineOnRanks(cutAtRandom(scene.mesh, 3, random), scene);
-      const bool isSame = other.refined.triangles.size() == one.refined.triangles.size() &&
+      const Joined other = refineOnRanks(cut, scene);
+      const bool isSameSurface = other.refined.triangles.size() == one.refined.triangles.size() &&
         pointsOf(other) == pointsOf(one);
-      same += isSame ? 1 : 0;
+      sameSurfaces += isSameSurface ? 1 : 0;
       ++scenes;
     }
   }
-  EXPECT_GE(20 * same, 17 * scenes) << same << " of " << scenes;
+  EXPECT_GE(20 * sameFields, 19 * scenes) << sameFields << " of " << scenes;
+  EXPECT_GE(20 * sameSurfaces, 17 * scenes) << sameSurfaces << " of " << scenes;
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, OnRanks, ::testing::ValuesIn(meshKinds()),

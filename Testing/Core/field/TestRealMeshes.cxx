@@ -125,24 +125,22 @@ TEST_F(RealMeshes, IgeaIsReadAsAClosedSurfaceOfOneOrientation)
   }
 }
 
-TEST_F(RealMeshes, FandiskIsSymmetricBetweenVertices)
+TEST_F(RealMeshes, AreSymmetricBetweenVertices)
 {
-  expectSymmetry(read("fandisk.obj"));
+  for (const char* name : { "fandisk.obj", "spot.obj", "beetle-alt.obj" })
+  {
+    SCOPED_TRACE(name);
+    expectSymmetry(read(name));
+  }
 }
 
-TEST_F(RealMeshes, FandiskAgreesWithBruteForceNearTheSource)
+TEST_F(RealMeshes, AgreeWithBruteForceNearTheSource)
 {
-  expectBruteForceFromRandomCurve(read("fandisk.obj"), 0.3);
-}
-
-TEST_F(RealMeshes, SpotIsSymmetricBetweenVertices)
-{
-  expectSymmetry(read("spot.obj"));
-}
-
-TEST_F(RealMeshes, SpotAgreesWithBruteForceNearTheSource)
-{
-  expectBruteForceFromRandomCurve(read("spot.obj"), 0.3);
+  for (const char* name : { "fandisk.obj", "spot.obj" })
+  {
+    SCOPED_TRACE(name);
+    expectBruteForceFromRandomCurve(read(name), 0.3);
+  }
 }
 
 TEST_F(RealMeshes, BeetlesBoundaryAgreesWithBruteForce)
@@ -151,9 +149,4 @@ TEST_F(RealMeshes, BeetlesBoundaryAgreesWithBruteForce)
   const geodesic::TriangleMesh engine = engineMesh(mesh);
   expectBruteForce(
     mesh, geodesic::boundaryCurves(engine), boundarySources(engine), 1.0, mesh.points.size() / 3);
-}
-
-TEST_F(RealMeshes, BeetleIsSymmetricBetweenVertices)
-{
-  expectSymmetry(read("beetle-alt.obj"));
 }

@@ -6,7 +6,6 @@
 #include "Seeds.h"
 #include "paths/PathChecker.h"
 
-#include "field/RetentionAround.h"
 #include "paths/PathsToSource.h"
 
 #include <gtest/gtest.h>
@@ -192,37 +191,6 @@ TEST_P(PathsToSourceOn, OfOneTargetAndInParallelAreThoseOfManyTargets)
       expectSamePaths(findPaths(c.mesh, c.curves, { c.targets[i] }), { all[i] });
     }
   }
-}
-
-// A front that stops when its targets are settled has the values of a front that goes everywhere,
-// as far as it came.
-TEST_P(PathsToSourceOn, FrontsThatStopEarlyTellTheSameDistancesToTheLastBit)
-{
-  std::size_t stopped = 0;
-  for (std::uint64_t seed = 0; seed < meshesOfAKind(10); ++seed)
-  {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const EngineCase c(GetParam(), seed + 80000);
-    const geodesic::DistanceField whole = solveKeepingAll(c.mesh, c.curves);
-    for (std::size_t i = 0; i < Targets; i += 10)
-    {
-      geodesic::RetentionAround retention(c.mesh, { c.targets[i] });
-      geodesic::FrontResult front = geodesic::propagate(c.mesh, c.curves, {}, retention);
-      const geodesic::DistanceField field(
-        geodesic::MeshPartition(c.mesh), std::move(front), retention.release());
-      EXPECT_EQ(field.distance(c.targets[i]), whole.distance(c.targets[i]));
-      for (geodesic::Id v = 0; v < c.mesh.numberOfVertices(); ++v)
-      {
-        const bool isWithin = whole.vertexDistances()[v] <= retention.neededDistance();
-        stopped += isWithin ? 0 : 1;
-        if (isWithin)
-        {
-          EXPECT_EQ(field.vertexDistances()[v], whole.vertexDistances()[v]) << "vertex " << v;
-        }
-      }
-    }
-  }
-  EXPECT_GT(stopped, 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, PathsToSourceOn, ::testing::ValuesIn(meshKinds()),

@@ -38,7 +38,7 @@ class Parallel : public ::testing::TestWithParam<MeshKind>
 {
 protected:
   Random random_{ 4711 };
-  PlainMesh plain_ = GetParam().make(1500, random_);
+  PlainMesh plain_ = GetParam().make(600, random_);
   TriangleMesh mesh_ = engineMesh(plain_);
   std::vector<SourceCurve> curves_ = engineCurves(mesh_, CurveMaker(plain_, random_).anySource());
   double largest_ = largestFinite(solve(mesh_, curves_, {}).vertexDistances());

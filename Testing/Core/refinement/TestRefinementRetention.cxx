@@ -48,46 +48,9 @@ std::size_t droppedFaces(const DistanceField& field)
   return count;
 }
 
-/// Of the faces without windows that have new points on all three edges, the largest number of such
-/// points.
-std::size_t mostPointsAround(const DistanceField& field, const RefinedMesh& refined)
-{
-  const Points points(field, refined);
-  std::vector<std::set<Id>> onHalfedge(field.mesh().numberOfHalfedges());
-  for (std::size_t t = 0; t < refined.triangles.size(); ++t)
-  {
-    const Id face = refined.faces[t];
-    for (const Id corner : refined.triangles[t])
-    {
-      const Barycentric w = points.weights(corner, face);
-      for (Id k = 0; k < 3 && !field.knowsInside(face); ++k)
-      {
-        if (w[k] != 0.0 && w[(k + 1) % 3] != 0.0 && w[(k + 2) % 3] == 0.0)
-        {
-          onHalfedge[3 * face + k].insert(corner);
-        }
-      }
-    }
-  }
-  std::size_t most = 0;
-  for (Id halfedge = 0; halfedge < field.mesh().numberOfHalfedges(); halfedge += 3)
-  {
-    const std::array<std::size_t, 3> n = { onHalfedge[halfedge].size(),
-      onHalfedge[halfedge + 1].size(), onHalfedge[halfedge + 2].size() };
-    most = *std::min_element(n.begin(), n.end()) > 0 ? std::max(most, n[0] + n[1] + n[2]) : most;
-  }
-  return most;
-}
-
-/// Statistics of cases where refinement with few windows was right.
-struct Found
-{
-  std::size_t facesWithoutWindows;
-  std::size_t pointsAroundOne;
-};
-
-/// Refines to a fraction of the largest distance and compares with brute force.
-Found compare(const PlainMesh& mesh, const std::vector<Polyline>& curves, double fraction,
+/// Refines to a fraction of the largest distance and compares with brute force. \returns the number
+/// of faces without windows.
+std::size_t compare(const PlainMesh& mesh, const std::vector<Polyline>& curves, double fraction,
   std::size_t count, Random& random)
 {
   const TriangleMesh engine = engineMesh(mesh);
@@ -108,7 +71,7 @@ Found compare(const PlainMesh& mesh, const std::vector<Polyline>& curves, double
   EXPECT_LE(
     largestDifference(samples, truth.queries), refined.errorBound + EngineAccuracy * largest)
     << describe(curves);
-  return { droppedFaces(field), mostPointsAround(field, refined) };
+  return droppedFaces(field);
 }
 
 class KeptWindows : public ::testing::TestWithParam<MeshKind>
@@ -116,9 +79,8 @@ class KeptWindows : public ::testing::TestWithParam<MeshKind>
 };
 
 /// A plane wave over a grid, starting 10 before it, and the windows kept of it for a refinement.
-class RetentionOfAGrid : public ::testing::Test
+struct GridUnderAWave
 {
-protected:
   static constexpr double Tolerance = 0.01;
   TriangleMesh mesh_ = engineMesh(regularGrid(4, 4));
   std::vector<double> distances_ = planeWave();
@@ -170,8 +132,6 @@ protected:
       this->pass(halfedge, halfedge < 3 ? nearerInFirstFace : nearer);
     }
   }
-  void passAll(double nearer) { this->passAll(nearer, nearer); }
-
   void advance(const std::vector<Id>& settled)
   {
     const geodesic::VertexNumbers distances{ this->distances_.data() };
@@ -190,12 +150,6 @@ protected:
     const geodesic::VertexNumbers distances{ this->distances_.data() };
     this->retention_->finish({ 100.0, {}, distances, distances, this->pools_ });
     return this->retention_->release();
-  }
-
-  Id kept()
-  {
-    const std::vector<std::uint8_t> faces = this->finish().faces;
-    return static_cast<Id>(std::count(faces.begin(), faces.end(), 1));
   }
 
   Id neighboursOfFirstFace() const
@@ -219,7 +173,7 @@ TEST_P(KeptWindows, AreEnoughForRefinementOnRandomMeshes)
     const PlainMesh mesh = GetParam().make(random.between(50, 200), random);
     CurveMaker maker(mesh, random);
     const double fraction = std::pow(10.0, random.uniform(-2.0, -0.5));
-    dropped += compare(mesh, maker.anySource(), fraction, 2000, random).facesWithoutWindows;
+    dropped += compare(mesh, maker.anySource(), fraction, 2000, random);
   }
   std::cout << GetParam().name << ": " << dropped << " faces without windows\n";
 }
@@ -348,100 +302,92 @@ TEST(KeptWindowsOfNeedles, AreSolvedForAgainWhereTheyWereDroppedTooEarly)
   EXPECT_GT(again, 1u) << "few had a window that came too late";
 }
 
-TEST_F(RetentionOfAGrid, AsksBetweenTestsOfFacesWhetherToStop)
+TEST(RetentionOfAGrid, AsksBetweenTestsOfFacesWhetherToStop)
 {
+  GridUnderAWave grid;
   bool goesOn = true;
   const Job job([&goesOn](double) { return goesOn; });
-  this->retention_ =
-    std::make_unique<geodesic::RefinementRetention>(geodesic::MeshPartition(this->mesh_), Tolerance,
-      std::vector<std::uint8_t>(this->mesh_.numberOfFaces(), 0), job);
-  this->retention_->start(1, {});
-  this->passAll(0.0);
+  grid.retention_ =
+    std::make_unique<geodesic::RefinementRetention>(geodesic::MeshPartition(grid.mesh_),
+      grid.Tolerance, std::vector<std::uint8_t>(grid.mesh_.numberOfFaces(), 0), job);
+  grid.retention_->start(1, {});
+  grid.passAll(0.0, 0.0);
   goesOn = false;
-  EXPECT_THROW(this->bringFrontPast(), geodesic::Aborted);
+  EXPECT_THROW(grid.bringFrontPast(), geodesic::Aborted);
 }
 
-TEST_F(RetentionOfAGrid, LinearFacesLoseTheirWindows)
+// The first face is pinned, has a source, or its lists are nearer than the corners say.
+TEST(RetentionOfAGrid, FacesKeepTheirWindowsWhereTheyOrNeighboursMayNeedThem)
 {
-  passAll(0.0);
-  bringFrontPast();
-  EXPECT_EQ(kept(), 0u);
-  EXPECT_TRUE(retention_->missing().empty());
-}
-
-// The bound computed from lists as they pass is wide.
-TEST_F(RetentionOfAGrid, WhereTheDistanceIsLinearTheBoundSaysSo)
-{
-  passAll(0.0);
-  bringFrontPast();
-  EXPECT_LE(finish().droppedErrorBound, 1e-6 * Tolerance);
-}
-
-TEST_F(RetentionOfAGrid, ListsThatAreFartherThanTheToleranceAreKept)
-{
-  passAll(1.1 * Tolerance);
-  bringFrontPast();
-  EXPECT_EQ(kept(), mesh_.numberOfFaces());
-}
-
-TEST_F(RetentionOfAGrid, WhatWasFoundOfAListDoesNotCountForOtherCorners)
-{
-  passAll(0.0);
-  for (double& distance : distances_)
+  const Id around = 1 + GridUnderAWave().neighboursOfFirstFace();
+  const Id all = GridUnderAWave().mesh_.numberOfFaces();
+  struct Passing
   {
-    distance += 2.0 * Tolerance; // the lists are that much nearer now
+    const char* what;
+    bool isPinned;
+    bool hasSource;
+    /// In tolerances, of all other faces and of the first one.
+    double nearer;
+    double nearerInFirstFace;
+    /// How much farther all corners are later.
+    double farther;
+    Id kept;
+  };
+  const Passing cases[] = { { "linear everywhere", false, false, 0.0, 0.0, 0.0, 0 },
+    { "lists farther than the tolerance", false, false, 1.1, 1.1, 0.0, all },
+    { "what was found of a list, for other corners", false, false, 0.0, 0.0, 2.0, all },
+    { "neighbours of a pinned face", true, false, 0.0, 0.0, 0.0, around },
+    { "neighbours of a face with a source", false, true, 0.0, 0.0, 0.0, around },
+    // One split at least halves a deviation, so edges of neighbours are not split further.
+    { "a face that one split refines", false, false, 0.0, 1.9, 0.0, 1 },
+    { "neighbours of a face that takes more splits", false, false, 0.0, 2.1, 0.0, around } };
+  for (const Passing& c : cases)
+  {
+    SCOPED_TRACE(c.what);
+    constexpr double tolerance = GridUnderAWave::Tolerance;
+    GridUnderAWave grid;
+    if (c.isPinned)
+    {
+      grid.retention_ = grid.retentionWith({ 0 });
+    }
+    if (c.hasSource)
+    {
+      const Barycentric inside = { 0.3, 0.3, 0.4 };
+      grid.retention_->start(1, { { 0, inside, inside } });
+    }
+    grid.passAll(c.nearer * tolerance, c.nearerInFirstFace * tolerance);
+    for (double& distance : grid.distances_)
+    {
+      distance += c.farther * tolerance;
+    }
+    grid.bringFrontPast();
+    EXPECT_TRUE(grid.retention_->missing().empty());
+    const geodesic::KeptWindows windows = grid.finish();
+    EXPECT_EQ(static_cast<Id>(std::count(windows.faces.begin(), windows.faces.end(), 1)), c.kept);
+    // The bound computed from lists as they pass is wide.
+    EXPECT_TRUE(c.kept > 0 || windows.droppedErrorBound <= 1e-6 * tolerance);
   }
-  bringFrontPast();
-  EXPECT_EQ(kept(), mesh_.numberOfFaces());
 }
 
-TEST_F(RetentionOfAGrid, ALateListTellsThatItsFaceWasDroppedTooEarly)
+TEST(RetentionOfAGrid, FacesDroppedTooEarlyAreMissing)
 {
-  passAll(0.0);
-  bringFrontPast();
-  pass(0, 0.0);
-  advance({});
-  EXPECT_EQ(retention_->missing(), std::vector<Id>{ 0 });
-}
-
-TEST_F(RetentionOfAGrid, ACornerThatGetsNearerLateMissesTheFacesAroundIt)
-{
-  passAll(0.0);
-  bringFrontPast();
-  retention_->shortenDistance(0);
-  EXPECT_EQ(retention_->missing().size(), mesh_.cornersAt(0).size());
-}
-
-TEST_F(RetentionOfAGrid, NeighboursOfAPinnedFaceKeepTheirWindows)
-{
-  retention_ = retentionWith({ 0 });
-  passAll(0.0);
-  bringFrontPast();
-  EXPECT_EQ(kept(), 1 + neighboursOfFirstFace());
-}
-
-TEST_F(RetentionOfAGrid, NeighboursOfAFaceWithASourceKeepTheirWindows)
-{
-  const Barycentric inside = { 0.3, 0.3, 0.4 };
-  retention_->start(1, { { 0, inside, inside } });
-  passAll(0.0);
-  bringFrontPast();
-  EXPECT_EQ(kept(), 1 + neighboursOfFirstFace());
-}
-
-// One split at least halves a deviation, so the edges of the neighbours are not split further.
-TEST_F(RetentionOfAGrid, NeighboursOfAFaceThatOneSplitRefinesLoseTheirWindows)
-{
-  passAll(0.0, 1.9 * Tolerance);
-  bringFrontPast();
-  EXPECT_EQ(kept(), 1u);
-}
-
-TEST_F(RetentionOfAGrid, NeighboursOfAFaceThatTakesMoreSplitsKeepTheirWindows)
-{
-  passAll(0.0, 2.1 * Tolerance);
-  bringFrontPast();
-  EXPECT_EQ(kept(), 1 + neighboursOfFirstFace());
+  for (const bool isListLate : { true, false })
+  {
+    GridUnderAWave grid;
+    grid.passAll(0.0, 0.0);
+    grid.bringFrontPast();
+    if (isListLate)
+    {
+      grid.pass(0, 0.0);
+      grid.advance({});
+      EXPECT_EQ(grid.retention_->missing(), std::vector<Id>{ 0 });
+    }
+    else
+    {
+      grid.retention_->shortenDistance(0); // a corner gets nearer
+      EXPECT_EQ(grid.retention_->missing().size(), grid.mesh_.cornersAt(0).size());
+    }
+  }
 }
 
 TEST(KeptWindowsOfASheet, AreFewAndRefuseWhatTheyCannotTell)

@@ -144,9 +144,8 @@ AnalyticCase fanCase(Index sectors, double totalAngle, Random& random)
   return c;
 }
 
-}
-
 //----------------------------------------------------------------------------
+/// A random triangulation of a rectangle, rotated in space: Euclidean distance.
 AnalyticCase planeCase(Random& random)
 {
   AnalyticCase c =
@@ -156,6 +155,7 @@ AnalyticCase planeCase(Random& random)
   return c;
 }
 
+/// The same, stretched to needles of aspect 1e3 to 1e5.
 AnalyticCase stretchedPlaneCase(Random& random)
 {
   const double aspect = std::pow(10.0, random.uniform(3.0, 5.0));
@@ -166,11 +166,130 @@ AnalyticCase stretchedPlaneCase(Random& random)
   return c;
 }
 
+/// A regular grid, where everything ties.
 AnalyticCase regularGridCase(Random& random)
 {
   AnalyticCase c = randomCase(regularGrid(random.between(4, 20), random.between(4, 20)), random);
   setPlanarTruth(c);
   return c;
+}
+
+AnalyticCase cylinderCase(Random& random)
+{
+  const Index sides = random.between(3, 16);
+  AnalyticCase c = randomCase(
+    openCylinder(sides, random.between(2, 12), random.uniform(0.5, 2.0) * sides), random);
+  const auto place = [&](const MeshPoint& p) -> Vec2
+  {
+    const Index column = (p.face / 2) % sides;
+    const Vec3& a = c.mesh.points[column];
+    const Vec3& b = c.mesh.points[(column + 1) % sides];
+    const Vec3 x = position(c.mesh, p);
+    // The sides of the polygon are of length 1.
+    return { column + (x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1]), x[2] };
+  };
+  setTruth(c, place,
+    [sides](const Vec2& p, const Vec2& a, const Vec2& b) { return prismDistance(sides, p, a, b); });
+  return c;
+}
+
+/// A cone whose random total angle is under 2 pi.
+AnalyticCase coneCase(Random& random)
+{
+  const Index sectors = random.between(4, 12);
+  return fanCase(sectors, random.uniform(0.2, 0.99) * 2.0 * Pi, random);
+}
+
+/// Around one saddle vertex whose random total angle is over 2 pi.
+AnalyticCase saddleFanCase(Random& random)
+{
+  const Index sectors = 2 * random.between(4, 8);
+  return fanCase(sectors, random.uniform(1.01, 1.8) * 2.0 * Pi, random);
+}
+
+AnalyticCase tetrahedronCase(Random& random)
+{
+  const Index n = random.between(3, 14);
+  AnalyticCase c = randomCase(tetrahedron(n), random);
+  setTruth(
+    c,
+    [&](const MeshPoint& p)
+    { return tetrahedronCoordinates(p.face / (n * n), position(c.mesh, p)); },
+    tetrahedronDistance);
+  return c;
+}
+
+/// A planar domain with holes: visibility graph.
+AnalyticCase holesCase(Random& random)
+{
+  const Index nx = random.between(8, 16);
+  const Index ny = random.between(8, 16);
+  AnalyticCase c = randomCase(planarWithHoles(nx, ny, random.between(1, 5), random), random);
+  setVisibilityTruth(c);
+  return c;
+}
+
+AnalyticCase lShapeCase(Random& random)
+{
+  AnalyticCase c = randomCase(lShape(2 * random.between(2, 8), 2 * random.between(2, 8)), random);
+  setVisibilityTruth(c);
+  return c;
+}
+
+/// Flat pages on one spine: any two pages unfold into a rectangle.
+AnalyticCase bookCase(Random& random)
+{
+  const Index pages = random.between(3, 6);
+  const Index n = random.between(3, 10);
+  const Index m = random.between(2, 6);
+  AnalyticCase c = randomCase(book(pages, n, m, 0.0, random), random);
+  struct Place
+  {
+    Index page;
+    double fromSpine;
+    double along;
+  };
+  const auto place = [&](const MeshPoint& p) -> Place
+  {
+    const Vec3 x = position(c.mesh, p);
+    return { p.face / (2 * n * m), std::hypot(x[0], x[1]), x[2] };
+  };
+  setTruth(c, place,
+    [](const Place& p, const Place& a, const Place& b)
+    {
+      const double side = p.page == a.page ? 1.0 : -1.0;
+      return distanceToSegment(
+        { side * p.fromSpine, p.along }, { a.fromSpine, a.along }, { b.fromSpine, b.along });
+    });
+  return c;
+}
+
+/// Two rectangles with one common vertex.
+AnalyticCase bowTieCase(Random& random)
+{
+  const PlainMesh a = randomPlanar(random.between(3, 8), random.between(3, 8), random);
+  const PlainMesh b = randomPlanar(random.between(3, 8), random.between(3, 8), random);
+  const Index knot = random.below(a.points.size());
+  AnalyticCase c = randomCase(joinedAtVertex(a, knot, b, random.below(b.points.size())), random);
+  struct Place
+  {
+    bool onB;
+    Vec2 x;
+  };
+  const auto place = [&](const MeshPoint& p) -> Place {
+    return { p.face >= a.triangles.size(), planarPlace(c.mesh, p) };
+  };
+  const Vec2 joint = { c.mesh.points[knot][0], c.mesh.points[knot][1] };
+  setTruth(c, place,
+    [&joint](const Place& p, const Place& s, const Place& t)
+    {
+      return p.onB == s.onB
+        ? distanceToSegment(p.x, s.x, t.x)
+        : distanceToSegment(p.x, joint, joint) + distanceToSegment(joint, s.x, t.x);
+    });
+  return c;
+}
+
 }
 
 AnalyticCase boxCase(Random& random)
@@ -205,117 +324,6 @@ AnalyticCase boxCase(Random& random)
   };
   setTruth(c, place,
     [&size](const Vec3& p, const Vec3& a, const Vec3& b) { return boxDistance(size, p, a, b); });
-  return c;
-}
-
-AnalyticCase cylinderCase(Random& random)
-{
-  const Index sides = random.between(3, 16);
-  AnalyticCase c = randomCase(
-    openCylinder(sides, random.between(2, 12), random.uniform(0.5, 2.0) * sides), random);
-  const auto place = [&](const MeshPoint& p) -> Vec2
-  {
-    const Index column = (p.face / 2) % sides;
-    const Vec3& a = c.mesh.points[column];
-    const Vec3& b = c.mesh.points[(column + 1) % sides];
-    const Vec3 x = position(c.mesh, p);
-    // The sides of the polygon are of length 1.
-    return { column + (x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1]), x[2] };
-  };
-  setTruth(c, place,
-    [sides](const Vec2& p, const Vec2& a, const Vec2& b) { return prismDistance(sides, p, a, b); });
-  return c;
-}
-
-AnalyticCase coneCase(Random& random)
-{
-  const Index sectors = random.between(4, 12);
-  return fanCase(sectors, random.uniform(0.2, 0.99) * 2.0 * Pi, random);
-}
-
-AnalyticCase saddleFanCase(Random& random)
-{
-  const Index sectors = 2 * random.between(4, 8);
-  return fanCase(sectors, random.uniform(1.01, 1.8) * 2.0 * Pi, random);
-}
-
-AnalyticCase tetrahedronCase(Random& random)
-{
-  const Index n = random.between(3, 14);
-  AnalyticCase c = randomCase(tetrahedron(n), random);
-  setTruth(
-    c,
-    [&](const MeshPoint& p)
-    { return tetrahedronCoordinates(p.face / (n * n), position(c.mesh, p)); },
-    tetrahedronDistance);
-  return c;
-}
-
-AnalyticCase holesCase(Random& random)
-{
-  const Index nx = random.between(8, 16);
-  const Index ny = random.between(8, 16);
-  AnalyticCase c = randomCase(planarWithHoles(nx, ny, random.between(1, 5), random), random);
-  setVisibilityTruth(c);
-  return c;
-}
-
-AnalyticCase lShapeCase(Random& random)
-{
-  AnalyticCase c = randomCase(lShape(2 * random.between(2, 8), 2 * random.between(2, 8)), random);
-  setVisibilityTruth(c);
-  return c;
-}
-
-AnalyticCase bookCase(Random& random)
-{
-  const Index pages = random.between(3, 6);
-  const Index n = random.between(3, 10);
-  const Index m = random.between(2, 6);
-  AnalyticCase c = randomCase(book(pages, n, m, 0.0, random), random);
-  struct Place
-  {
-    Index page;
-    double fromSpine;
-    double along;
-  };
-  const auto place = [&](const MeshPoint& p) -> Place
-  {
-    const Vec3 x = position(c.mesh, p);
-    return { p.face / (2 * n * m), std::hypot(x[0], x[1]), x[2] };
-  };
-  setTruth(c, place,
-    [](const Place& p, const Place& a, const Place& b)
-    {
-      const double side = p.page == a.page ? 1.0 : -1.0;
-      return distanceToSegment(
-        { side * p.fromSpine, p.along }, { a.fromSpine, a.along }, { b.fromSpine, b.along });
-    });
-  return c;
-}
-
-AnalyticCase bowTieCase(Random& random)
-{
-  const PlainMesh a = randomPlanar(random.between(3, 8), random.between(3, 8), random);
-  const PlainMesh b = randomPlanar(random.between(3, 8), random.between(3, 8), random);
-  const Index knot = random.below(a.points.size());
-  AnalyticCase c = randomCase(joinedAtVertex(a, knot, b, random.below(b.points.size())), random);
-  struct Place
-  {
-    bool onB;
-    Vec2 x;
-  };
-  const auto place = [&](const MeshPoint& p) -> Place {
-    return { p.face >= a.triangles.size(), planarPlace(c.mesh, p) };
-  };
-  const Vec2 joint = { c.mesh.points[knot][0], c.mesh.points[knot][1] };
-  setTruth(c, place,
-    [&joint](const Place& p, const Place& s, const Place& t)
-    {
-      return p.onB == s.onB
-        ? distanceToSegment(p.x, s.x, t.x)
-        : distanceToSegment(p.x, joint, joint) + distanceToSegment(joint, s.x, t.x);
-    });
   return c;
 }
 

@@ -36,12 +36,18 @@ double worstError(
   return worst;
 }
 
-void expectTruth(AnalyticCase (*makeCase)(Random&))
+class BruteForceOn : public ::testing::TestWithParam<AnalyticConfiguration>
+{
+};
+
+}
+
+TEST_P(BruteForceOn, DistancesAreThoseInClosedForm)
 {
   for (int round = 0; round < Rounds; ++round)
   {
     Random random(static_cast<std::uint64_t>(round));
-    const AnalyticCase c = makeCase(random);
+    const AnalyticCase c = GetParam().make(random);
     const BruteForceResult result = bruteForceDistances(c.mesh, c.sources, c.queries);
     const double largest = *std::max_element(c.vertexTruth.begin(), c.vertexTruth.end());
     EXPECT_LE(worstError(result.vertices, c.vertexTruth, largest), Accuracy)
@@ -51,67 +57,8 @@ void expectTruth(AnalyticCase (*makeCase)(Random&))
   }
 }
 
-}
-
-TEST(BruteForce, IsEuclideanOnAnyTriangulationOfTheConvexPlane)
-{
-  expectTruth(planeCase);
-}
-
-TEST(BruteForce, IsEuclideanOnARegularGrid)
-{
-  expectTruth(regularGridCase);
-}
-
-TEST(BruteForce, IsEuclideanOnNeedles)
-{
-  expectTruth(stretchedPlaneCase);
-}
-
-TEST(BruteForce, UnfoldsABox)
-{
-  expectTruth(boxCase);
-}
-
-TEST(BruteForce, UnrollsACylinder)
-{
-  expectTruth(cylinderCase);
-}
-
-TEST(BruteForce, UnrollsACone)
-{
-  expectTruth(coneCase);
-}
-
-TEST(BruteForce, BendsAtASaddleVertex)
-{
-  expectTruth(saddleFanCase);
-}
-
-TEST(BruteForce, UnfoldsATetrahedron)
-{
-  expectTruth(tetrahedronCase);
-}
-
-TEST(BruteForce, GoesAroundHolesLikeAVisibilityGraph)
-{
-  expectTruth(holesCase);
-}
-
-TEST(BruteForce, GoesAroundTheCornerOfAnL)
-{
-  expectTruth(lShapeCase);
-}
-
-TEST(BruteForce, GoesOnThroughEveryFaceOfANonManifoldEdge)
-{
-  expectTruth(bookCase);
-}
-
-TEST(BruteForce, GoesThroughABowTie)
-{
-  expectTruth(bowTieCase);
-}
+INSTANTIATE_TEST_SUITE_P(Table, BruteForceOn, ::testing::ValuesIn(analyticConfigurations()),
+  [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(BruteForce, IsTheSameWhenEveryVertexEmits)
 {

@@ -83,20 +83,6 @@ WindowListBuilder fieldOn(double length, Random& random)
   return builder;
 }
 
-/// Arbitrary windows, with gaps and steps between them.
-WindowListBuilder anyOn(double length, Random& random)
-{
-  WindowListBuilder builder;
-  builder.reset(length);
-  for (Index i = random.between(1, 6); i > 0; --i)
-  {
-    Window w = randomWindow(length, random);
-    w.sourceDepth = w.isLinear() ? w.sourceDepth : std::max(w.sourceDepth, 1e-3);
-    builder.append(w);
-  }
-  return builder;
-}
-
 /// The shortest straight or bent path through the list.
 double exactThrough(const WindowRange& list, PlanePoint p)
 {
@@ -171,78 +157,6 @@ void expectComplete(const WindowRange& list, const WindowRange& children, double
 
 }
 
-TEST(UnfoldedFace, LengthsAndApexAreThoseOfTheFace)
-{
-  Random random(1);
-  for (int i = 0; i < 200; ++i)
-  {
-    const RandomFace r(random);
-    EXPECT_NEAR(r.face.length, r.length, Accuracy);
-    EXPECT_NEAR(r.face.apex.x, r.apex.x, Accuracy);
-    EXPECT_NEAR(r.face.apex.y, r.apex.y, Accuracy);
-    EXPECT_NEAR(r.face.apexFromEnd, r.length - r.apex.x, Accuracy);
-    EXPECT_NEAR(r.face.leftLength, std::hypot(r.apex.x, r.apex.y), Accuracy);
-    EXPECT_NEAR(r.face.rightLength, std::hypot(r.length - r.apex.x, r.apex.y), Accuracy);
-    EXPECT_NEAR(norm(r.face.leftAxis), 1.0, Accuracy);
-    EXPECT_NEAR(norm(r.face.rightAxis), 1.0, Accuracy);
-    EXPECT_NEAR(norm(r.face.leftLength * r.face.leftAxis - r.apex), 0.0, Accuracy);
-    EXPECT_NEAR(norm(r.apex + r.face.rightLength * r.face.rightAxis - PlanePoint{ r.length, 0.0 }),
-      0.0, Accuracy);
-  }
-}
-
-TEST(UnfoldedFace, RaysMeetTheEdgesStraightAhead)
-{
-  Random random(2);
-  for (int i = 0; i < 1000; ++i)
-  {
-    const RandomFace r(random);
-    Window w = randomWindow(r.length, random);
-    w.sourceDepth = std::max(w.sourceDepth, 0.01);
-    const double x = random.uniform(w.begin, w.end);
-    const PlanePoint d = w.direction(x);
-    const auto offRay = [&](PlanePoint p) { return cross(d, p - PlanePoint{ x, 0.0 }) / norm(d); };
-    const bool left = offRay(r.apex) < 0.0;
-    EXPECT_NE(left, w.passesRightOf(x, r.apex)) << w;
-    const PlanePoint hit =
-      left ? r.onLeft(r.face.meetLeft(w, x)) : r.onRight(r.face.meetRight(w, x));
-    EXPECT_NEAR(offRay(hit), 0.0, Accuracy * 10.0) << w;
-  }
-}
-
-TEST(UnfoldedFace, BehindTheEdgesStraightDistancesAreTheSame)
-{
-  Random random(3);
-  for (int i = 0; i < 1000; ++i)
-  {
-    const RandomFace r(random);
-    Window w = randomWindow(r.length, random);
-    w.sourceDepth = std::max(w.sourceDepth, 1e-3);
-    w.error = 0.125;
-    // Straight through the edges only; the source must lie on the side from which the rays come.
-    const double left = r.face.meetLeft(w, random.uniform(w.begin, w.end));
-    const double right = r.face.meetRight(w, random.uniform(w.begin, w.end));
-    const double size = 10.0 + std::abs(w.sourceX) + w.sourceDepth + w.sigma;
-    if (left > 0.0 && left < r.face.leftLength)
-    {
-      const Window child = r.face.throughLeft(w, 0.0, left);
-      const PlanePoint p = r.onLeft(left);
-      EXPECT_NEAR(
-        child.distance(left), static_cast<double>(exactDistance(w, p.x, p.y)), Accuracy * size);
-      EXPECT_EQ(child.facesCrossed, w.facesCrossed + 1);
-      EXPECT_EQ(child.error, w.error);
-      EXPECT_GE(child.sourceDepth, 0.0);
-    }
-    if (right > 0.0 && right < r.face.rightLength)
-    {
-      const Window child = r.face.throughRight(w, right, r.face.rightLength);
-      const PlanePoint p = r.onRight(right);
-      EXPECT_NEAR(
-        child.distance(right), static_cast<double>(exactDistance(w, p.x, p.y)), Accuracy * size);
-    }
-  }
-}
-
 TEST(ApexQuery, TheFullOneFindsTheShortestPathThroughAField)
 {
   Random random(4);
@@ -259,39 +173,6 @@ TEST(ApexQuery, TheFullOneFindsTheShortestPathThroughAField)
     ASSERT_NEAR(
       at(list.range(), x) + std::hypot(r.apex.x - x, r.apex.y), truth, 1e-12 * (1.0 + truth));
   }
-}
-
-TEST(ApexQuery, SidesAreThoseOfTheOuterRays)
-{
-  Random random(5);
-  std::vector<ApexSide> sides;
-  std::array<int, 3> seen{};
-  for (int i = 0; i < 1000; ++i)
-  {
-    const RandomFace r(random);
-    const WindowListBuilder list = anyOn(r.length, random);
-    const ApexQuery query = fullApexQuery(list.range(), r.apex, sides);
-    double first = Infinity;
-    for (std::size_t k = 0; k < list.windows().size(); ++k)
-    {
-      const Window& w = list.windows()[k];
-      const auto rightOf = [&](double x) {
-        return cross(w.direction(x), r.apex - PlanePoint{ x, 0.0 }) > 0.0;
-      };
-      const ApexSide side = rightOf(w.begin) ? ApexSide::Right
-        : rightOf(w.end)                     ? ApexSide::Both
-                                             : ApexSide::Left;
-      ASSERT_EQ(query.sides[k], side) << w;
-      ++seen[static_cast<std::size_t>(side)];
-      first = side == ApexSide::Both ? std::min(first, w.straightDistance(r.apex)) : first;
-    }
-    ASSERT_EQ(query.first == ApexQuery::None, first == Infinity);
-    if (first < Infinity)
-    {
-      ASSERT_EQ(list.windows()[query.first].straightDistance(r.apex), first);
-    }
-  }
-  EXPECT_GT(*std::min_element(seen.begin(), seen.end()), 100);
 }
 
 TEST(ApexQuery, TheQuickOneFindsARealPath)
@@ -334,42 +215,6 @@ TEST(ApexQuery, TheErrorIsThatOfTheWindowThatGivesTheDistance)
   std::vector<ApexSide> sides;
   EXPECT_EQ(fullApexQuery(list, geodesic::Vec2{ 0.3, 1.0 }, sides).shortest.nearest->error, 0.25);
   EXPECT_EQ(quickApexQuery(list, { 0.3, 1.0 }).nearest->error, 0.25);
-}
-
-TEST(FacePropagation, WindowsContinueStraightAndNoneIsMissing)
-{
-  Random random(7);
-  std::vector<ApexSide> sides;
-  LeavingWindows leaving;
-  for (int i = 0; i < 1000; ++i)
-  {
-    SCOPED_TRACE(i);
-    const RandomFace r(random);
-    const WindowListBuilder list = i % 2 == 0 ? fieldOn(r.length, random) : anyOn(r.length, random);
-    const ApexQuery apex = fullApexQuery(list.range(), r.apex, sides);
-    // The bound from the list alone; in a real front, better bounds drop more windows.
-    const Window& first = list.windows().front();
-    const Window& last = list.windows().back();
-    const CornerDistances known = { first.distance(first.begin) + first.begin,
-      last.distance(last.end) + (r.length - last.end), apex.shortest.distance };
-    propagateThroughFace(apex, r.face, known, Unlimited, leaving);
-    const auto onLeft = [&r](double x) { return r.onLeft(x); };
-    const auto onRight = [&r](double x) { return r.onRight(x); };
-    expectStraight(list.range(), leaving.left.range(), onLeft);
-    expectStraight(list.range(), leaving.right.range(), onRight);
-    if (i % 2 != 0)
-    {
-      continue; // near gaps, a path around their ends may beat a ray
-    }
-    expectComplete(
-      list.range(), leaving.left.range(), r.face.leftLength, known.origin, known.apex, onLeft);
-    expectComplete(list.range(), leaving.right.range(), r.face.rightLength, known.apex,
-      known.destination, onRight);
-    if (HasFatalFailure())
-    {
-      return;
-    }
-  }
 }
 
 TEST(FacePropagation, OnlyOneWindowThatContainsTheApexContinuesThroughBothEdges)
