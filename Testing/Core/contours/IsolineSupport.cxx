@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace geodesictest
 {
@@ -118,10 +119,13 @@ void expectGrowthToTheLeft(const geodesic::DistanceField& field, const geodesic:
       const geodesic::Vec2 a = inPlane(line.points[i]);
       const geodesic::Vec2 b = inPlane(line.points[i + 1]);
       const geodesic::Vec2 left = { a.y - b.y, b.x - a.x };
-      const double step = 0.1;
+      const geodesic::Vec2 middle = 0.5 * (a + b);
+      const double value = field.distance(isolines.points[line.points[i]]);
+      // Beside a long chord the distance may fall again behind a ridge, even beyond the source.
+      const double step = std::min(0.1, 1e-5 * value / geodesic::norm(b - a));
       const auto at = [&](double t)
       {
-        const geodesic::Vec2 p = 0.5 * (a + b) + t * left;
+        const geodesic::Vec2 p = middle + t * left;
         const geodesic::Barycentric w = geodesic::fromHalfedgeFrame(mesh, frame, p);
         return *std::min_element(w.begin(), w.end()) >= 0.0
           ? field.distance(geodesic::fromBarycentric(mesh, face, w))
@@ -150,126 +154,262 @@ LineCount countLines(const geodesic::Isolines& isolines, std::size_t value)
   return count;
 }
 
-GridTruth::GridTruth(const PlainMesh& mesh, const Sources& sources, Index cells)
+LevelTruth::LevelTruth(const PlainMesh& mesh, const Sources& sources, double value)
   : mesh_(mesh)
-  , cells_(cells)
+  , sources_(sources)
+  , value_(value)
 {
   for (Index face = 0; face < mesh.triangles.size(); ++face)
   {
+    this->cells_.push_back({ face, 0, 0, false });
     const Triangle& t = mesh.triangles[face];
     for (std::size_t k = 0; k < 3; ++k)
     {
-      this->spacing_ = std::max(
-        this->spacing_, spaceDistance(mesh.points[t[k]], mesh.points[t[(k + 1) % 3]]) / cells);
-    }
-    for (Index i = 0; i < cells; ++i)
-    {
-      for (Index j = 0; i + j < cells; ++j)
-      {
-        const Index right = this->nodeAt(face, i + 1, j);
-        const Index up = this->nodeAt(face, i, j + 1);
-        this->triangles_.push_back({ this->nodeAt(face, i, j), right, up });
-        if (i + j + 1 < cells)
-        {
-          this->triangles_.push_back({ right, this->nodeAt(face, i + 1, j + 1), up });
-        }
-      }
+      ++this->facesAt_[std::minmax(t[k], t[(k + 1) % 3])];
     }
   }
-  this->distances_ = bruteForceDistances(mesh, sources, this->places_).queries;
+}
+
+std::array<std::array<Index, 2>, 3> LevelTruth::corners(const Cell& cell) const
+{
+  const auto [face, i, j, isTurned] = cell;
+  using Corners = std::array<std::array<Index, 2>, 3>;
+  return isTurned ? Corners{ { { i + 1, j + 1 }, { i, j + 1 }, { i + 1, j } } }
+                  : Corners{ { { i, j }, { i + 1, j }, { i, j + 1 } } };
+}
+
+/// The middle of a cell.
+MeshPoint LevelTruth::place(const Cell& cell) const
+{
+  Barycentric weights{};
+  for (const auto& [i, j] : this->corners(cell))
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      weights[k] += this->steps(i, j)[k] / (3.0 * this->parts_);
+    }
+  }
+  return { cell.face, weights };
+}
+
+void LevelTruth::refine()
+{
+  this->parts_ *= 2;
+  std::vector<Cell> cells;
+  std::vector<MeshPoint> places;
+  for (const auto& [face, i, j, isTurned] : this->cells_)
+  {
+    const Index k = isTurned ? 1 : 0;
+    for (const Cell& cell :
+      { Cell{ face, 2 * i + k, 2 * j + k, isTurned }, Cell{ face, 2 * i + 1, 2 * j, isTurned },
+        Cell{ face, 2 * i, 2 * j + 1, isTurned }, Cell{ face, 2 * i + k, 2 * j + k, !isTurned } })
+    {
+      cells.push_back(cell);
+      places.push_back(this->place(cell));
+    }
+  }
+  const std::vector<double> middles =
+    bruteForceDistances(this->mesh_, this->sources_, places).queries;
+  this->cells_.clear();
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    const Triangle& t = this->mesh_.triangles[cells[i].face];
+    double longest = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      longest = std::max(
+        longest, spaceDistance(this->mesh_.points[t[k]], this->mesh_.points[t[(k + 1) % 3]]));
+    }
+    // Corners are no farther from the middle than two thirds of the longest edge.
+    if (std::abs(middles[i] - this->value_) <= 0.7 * longest / this->parts_ + 1e-9 * this->value_)
+    {
+      this->cells_.push_back(cells[i]);
+    }
+  }
 }
 
 // A node is named by the smallest element that holds it: a vertex, an edge with the steps from its
 // lower end, or a face.
-Index GridTruth::nodeAt(Index face, Index i, Index j)
+LevelTruth::Node LevelTruth::nameOf(Index face, const std::array<Index, 3>& steps) const
 {
-  const std::array<Index, 3> steps = { this->cells_ - i - j, i, j };
   const Triangle& t = this->mesh_.triangles[face];
-  const auto points = static_cast<Index>(this->mesh_.points.size());
-  std::array<Index, 3> name = { points + face, i, j };
+  Node name = { static_cast<Index>(this->mesh_.points.size()) + face, steps[1], steps[2] };
   for (std::size_t k = 0; k < 3; ++k)
   {
     if (steps[k] == 0)
     {
       const std::size_t a = (k + 1) % 3;
       const std::size_t b = (k + 2) % 3;
-      name = t[a] < t[b] ? std::array<Index, 3>{ t[a], t[b], steps[b] }
-                         : std::array<Index, 3>{ t[b], t[a], steps[a] };
+      name = t[a] < t[b] ? Node{ t[a], t[b], steps[b] } : Node{ t[b], t[a], steps[a] };
     }
   }
   for (std::size_t k = 0; k < 3; ++k)
   {
-    if (steps[k] == this->cells_)
+    if (steps[k] == this->parts_)
     {
       name = { t[k], t[k], 0 };
     }
   }
-  const auto [node, isNew] = this->nodes_.emplace(name, static_cast<Index>(this->places_.size()));
-  if (isNew)
-  {
-    const auto cells = static_cast<double>(this->cells_);
-    this->places_.push_back({ face,
-      { static_cast<double>(steps[0]) / cells, static_cast<double>(steps[1]) / cells,
-        static_cast<double>(steps[2]) / cells } });
-  }
-  return node->second;
+  return name;
 }
 
-LineCount GridTruth::countLines(double value) const
+namespace
 {
-  // The pieces that cross each grid edge; one piece a grid face at most.
-  std::map<std::pair<Index, Index>, std::vector<std::size_t>> pieces;
-  std::size_t count = 0;
-  for (const Triangle& t : this->triangles_)
+
+/// Sets that are united step by step.
+class DisjointSets
+{
+public:
+  explicit DisjointSets(std::size_t size)
+    : parent_(size)
   {
-    std::size_t crossed = 0;
+    std::iota(this->parent_.begin(), this->parent_.end(), std::size_t(0));
+  }
+  std::size_t root(std::size_t i)
+  {
+    while (this->parent_[i] != i)
+    {
+      i = this->parent_[i] = this->parent_[this->parent_[i]];
+    }
+    return i;
+  }
+  void unite(std::size_t i, std::size_t j) { this->parent_[this->root(i)] = this->root(j); }
+
+private:
+  std::vector<std::size_t> parent_;
+};
+
+/// What is in a band of cells, and beside it.
+struct Band
+{
+  /// The rims towards regions below and above the value.
+  std::array<std::set<std::size_t>, 2> rims;
+  /// Whether it has nodes below and above.
+  std::array<bool, 2> hasNodes{};
+  /// Whether the value is on an edge where lines end.
+  bool isOpen = false;
+};
+
+}
+
+/// The cells with nodes and edges of their own.
+struct LevelTruth::CellMesh
+{
+  struct Edge
+  {
+    std::vector<std::size_t> cells;
+    /// Of the mesh, not only of the band.
+    std::size_t facesAround = 2;
+
+    bool endsLines() const { return this->facesAround != 2; }
+    bool isRim() const { return !this->endsLines() && this->cells.size() == 1; }
+  };
+
+  std::vector<MeshPoint> places;
+  std::vector<std::array<std::size_t, 3>> nodesOf;
+  std::map<std::pair<std::size_t, std::size_t>, Edge> edges;
+};
+
+LevelTruth::CellMesh LevelTruth::cellMesh() const
+{
+  CellMesh result;
+  std::map<Node, std::size_t> nodes;
+  for (const Cell& cell : this->cells_)
+  {
+    std::array<std::array<Index, 3>, 3> steps{};
+    std::array<std::size_t, 3> ids{};
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const std::pair<Index, Index> ends = std::minmax(t[k], t[(k + 1) % 3]);
-      if ((this->distances_[ends.first] < value) != (this->distances_[ends.second] < value))
+      const auto [i, j] = this->corners(cell)[k];
+      const auto& s = steps[k] = this->steps(i, j);
+      const auto [node, isNew] = nodes.emplace(this->nameOf(cell.face, s), nodes.size());
+      ids[k] = node->second;
+      if (isNew)
       {
-        pieces[ends].push_back(count);
-        ++crossed;
+        const double part = 1.0 / this->parts_;
+        result.places.push_back({ cell.face, { part * s[0], part * s[1], part * s[2] } });
       }
     }
-    count += crossed > 0 ? 1 : 0;
-  }
-  std::vector<std::size_t> parent(count);
-  std::iota(parent.begin(), parent.end(), std::size_t(0));
-  const auto root = [&parent](std::size_t piece)
-  {
-    while (parent[piece] != piece)
+    const Triangle& t = this->mesh_.triangles[cell.face];
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      piece = parent[piece] = parent[parent[piece]];
+      const std::size_t next = (k + 1) % 3;
+      CellMesh::Edge& edge = result.edges[std::minmax(ids[k], ids[next])];
+      edge.cells.push_back(result.nodesOf.size());
+      for (std::size_t corner = 0; corner < 3; ++corner)
+      {
+        if (steps[k][corner] == 0 && steps[next][corner] == 0)
+        {
+          edge.facesAround =
+            this->facesAt_.at(std::minmax(t[(corner + 1) % 3], t[(corner + 2) % 3]));
+        }
+      }
     }
-    return piece;
-  };
-  std::vector<std::size_t> ends;
-  for (const auto& [edge, around] : pieces)
-  {
-    if (around.size() == 2)
-    {
-      parent[root(around[0])] = root(around[1]);
-    }
-    else
-    {
-      ends.insert(ends.end(), around.begin(), around.end());
-    }
-  }
-  std::vector<bool> isOpen(count, false);
-  for (const std::size_t piece : ends)
-  {
-    isOpen[root(piece)] = true;
-  }
-  LineCount result;
-  for (std::size_t piece = 0; piece < count; ++piece)
-  {
-    if (root(piece) == piece)
-    {
-      ++(isOpen[piece] ? result.open : result.closed);
-    }
+    result.nodesOf.push_back(ids);
   }
   return result;
+}
+
+std::optional<LineCount> LevelTruth::count() const
+{
+  const CellMesh mesh = this->cellMesh();
+  const std::vector<double> distances =
+    bruteForceDistances(this->mesh_, this->sources_, mesh.places).queries;
+  const auto sideOf = [&](std::size_t node) -> std::size_t
+  { return distances[node] < this->value_ ? 0 : 1; };
+  DisjointSets cells(mesh.nodesOf.size());
+  for (const auto& [ends, edge] : mesh.edges)
+  {
+    if (!edge.endsLines() && edge.cells.size() == 2)
+    {
+      cells.unite(edge.cells[0], edge.cells[1]);
+    }
+  }
+  std::map<std::size_t, Band> bands;
+  for (std::size_t i = 0; i < mesh.nodesOf.size(); ++i)
+  {
+    for (const std::size_t node : mesh.nodesOf[i])
+    {
+      bands[cells.root(i)].hasNodes[sideOf(node)] = true;
+    }
+  }
+  // Edges of a rim share nodes. Several bands may have a node.
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> atRims;
+  DisjointSets rims(2 * mesh.edges.size());
+  for (const auto& [ends, edge] : mesh.edges)
+  {
+    const std::size_t band = cells.root(edge.cells[0]);
+    if (edge.isRim())
+    {
+      const std::size_t a =
+        atRims.emplace(std::pair(band, ends.first), atRims.size()).first->second;
+      const std::size_t b =
+        atRims.emplace(std::pair(band, ends.second), atRims.size()).first->second;
+      rims.unite(a, b);
+    }
+    for (const std::size_t cell : edge.cells)
+    {
+      Band& here = bands[cells.root(cell)];
+      here.isOpen = here.isOpen || (edge.endsLines() && sideOf(ends.first) != sideOf(ends.second));
+    }
+  }
+  for (const auto& [bandAndNode, atRim] : atRims)
+  {
+    bands[bandAndNode.first].rims[sideOf(bandAndNode.second)].insert(rims.root(atRim));
+  }
+  LineCount count;
+  for (const auto& [root, band] : bands)
+  {
+    const std::size_t below = band.rims[0].size();
+    const std::size_t above = band.rims[1].size();
+    const bool hasLine = band.hasNodes[0] && band.hasNodes[1];
+    if (hasLine && (below != 1 || above != 1))
+    {
+      return std::nullopt;
+    }
+    (band.isOpen ? count.open : count.closed) += hasLine ? 1 : 0;
+  }
+  return count;
 }
 
 }

@@ -9,6 +9,8 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 /// Shared by the tests of isolines.
@@ -56,31 +58,49 @@ inline bool operator==(const LineCount& a, const LineCount& b)
 
 LineCount countLines(const geodesic::Isolines& isolines, std::size_t value);
 
-/// Distances at the points of a grid in every face, from the brute-force solver, and the topology
-/// of the sublevel sets of their linear interpolant.
-class GridTruth
+/// The lines of equal distance on a surface, counted by the brute-force solver: in small triangles
+/// around them, which are cut in four again and again. Slopes are at most 1, so that the others are
+/// certainly below or above the value.
+class LevelTruth
 {
 public:
-  /// \param cells the number of parts of each edge.
-  GridTruth(const PlainMesh& mesh, const Sources& sources, Index cells);
+  LevelTruth(const PlainMesh& mesh, const Sources& sources, double value);
 
-  /// The longest edge of the grid.
-  double spacing() const { return this->spacing_; }
+  /// Cuts the triangles that may hold the value in four.
+  void refine();
 
-  /// The lines of equal interpolated distance. They end at edges with one grid face, or more than
-  /// two.
-  LineCount countLines(double value) const;
+  /// The lines where triangles tell: each band of them has one region below and one above beside
+  /// it, or no corner on one side. Lines around a region that holds no corner are not seen. Lines
+  /// end at edges with one face, or more than two. Where lines meet or vanish at a vertex that is
+  /// at the value, there is no number.
+  std::optional<LineCount> count() const;
 
 private:
-  Index nodeAt(Index face, Index i, Index j);
+  /// A triangle in a face whose edges have `parts_` parts: corners (i, j), (i + 1, j), (i, j + 1),
+  /// or those opposite to them in the parallelogram.
+  struct Cell
+  {
+    Index face;
+    Index i;
+    Index j;
+    bool isTurned;
+  };
+  using Node = std::array<Index, 3>;
+  struct CellMesh;
+
+  std::array<std::array<Index, 2>, 3> corners(const Cell& cell) const;
+  std::array<Index, 3> steps(Index i, Index j) const { return { this->parts_ - i - j, i, j }; }
+  MeshPoint place(const Cell& cell) const;
+  CellMesh cellMesh() const;
+  Node nameOf(Index face, const std::array<Index, 3>& steps) const;
 
   const PlainMesh& mesh_;
-  Index cells_;
-  double spacing_ = 0.0;
-  std::vector<Triangle> triangles_;
-  std::vector<MeshPoint> places_;
-  std::vector<double> distances_;
-  std::map<std::array<Index, 3>, Index> nodes_;
+  const Sources& sources_;
+  double value_;
+  Index parts_ = 1;
+  std::vector<Cell> cells_;
+  /// The number of faces at each edge of the mesh.
+  std::map<std::pair<Index, Index>, std::size_t> facesAt_;
 };
 
 }
