@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EngineSupport.h"
+#include "CaseWithoutTruth.h"
 
 #include "contours/SolveForIsolines.h"
 #include "mesh/FaceShape.h"
@@ -322,12 +323,7 @@ std::vector<MeshPoint> randomPoints(const PlainMesh& mesh, std::size_t count, Ra
 RandomCase randomCase(
   const MeshKind& kind, std::uint64_t seed, std::size_t numberOfQueries, Index mostFaces)
 {
-  Random random(seed);
-  RandomCase result;
-  result.mesh = kind.make(std::min(randomSize(random), mostFaces), random);
-  CurveMaker maker(result.mesh, random);
-  result.curves = maker.anySource();
-  result.queries = randomPoints(result.mesh, numberOfQueries, random);
+  RandomCase result = caseWithoutTruth(kind, seed, numberOfQueries, mostFaces);
   result.truth = bruteForceDistances(result.mesh, toSources(result.curves), result.queries);
   return result;
 }

@@ -33,8 +33,7 @@ SourceCurves put(const TriangleMesh& mesh, const std::vector<Points>& curves, bo
 }
 
 /// The given segments that are opposed, as "curve/segment".
-std::string opposedOn(
-  const TriangleMesh& mesh, const std::vector<Points>& curves, bool closed = false)
+std::string opposedOn(const TriangleMesh& mesh, const std::vector<Points>& curves, bool closed)
 {
   const SourceCurves onSurface = put(mesh, curves, closed);
   std::string text;
@@ -49,54 +48,43 @@ std::string opposedOn(
   return text;
 }
 
-TriangleMesh grid()
+TEST(OpposedCurves, LieOnEachOtherInOppositeDirections)
 {
-  return engineMesh(geodesictest::regularGrid(8, 8));
-}
-
-TEST(OpposedCurves, ACurveThereAndBackIsOpposed)
-{
-  const Points there = { { 0.3, 1.2, 0 }, { 2.7, 1.9, 0 }, { 5.1, 4.4, 0 } };
-  Points thereAndBack = there;
-  thereAndBack.push_back(there[1]);
-  EXPECT_EQ(opposedOn(grid(), { thereAndBack }, true), "0/2 0/3");
-  thereAndBack.push_back(there[0]);
-  EXPECT_EQ(opposedOn(grid(), { thereAndBack }), "0/2 0/3");
-  EXPECT_EQ(opposedOn(grid(), { { there[0], there[1], there[0] } }), "0/1");
-}
-
-TEST(OpposedCurves, TwoCurvesAlongAnEdgeInOppositeDirectionsAreOpposed)
-{
-  EXPECT_EQ(
-    opposedOn(grid(), { { { 1, 2, 0 }, { 5, 2, 0 } }, { { 3, 2, 0 }, { 2, 2, 0 } } }), "1/0");
-  EXPECT_EQ(
-    opposedOn(grid(), { { { 0.5, 2, 0 }, { 1.5, 2, 0 } }, { { 1.25, 2, 0 }, { 0.25, 2, 0 } } }),
-    "1/0");
-}
-
-TEST(OpposedCurves, PartsOfSegmentsInAFaceAreOpposed)
-{
-  EXPECT_EQ(
-    opposedOn(grid(), { { { 1.2, 2.1, 0 }, { 6, 2.1, 0 } }, { { 4.7, 2.1, 0 }, { 4.6, 2.1, 0 } } }),
-    "1/0");
-}
-
-TEST(OpposedCurves, OtherCurvesAreNot)
-{
-  const Points line = { { 0.3, 1.2, 0 }, { 2.7, 1.9, 0 }, { 5.1, 4.4, 0 } };
-  EXPECT_EQ(opposedOn(grid(), { line, line }), "") << "in one direction";
-  EXPECT_EQ(opposedOn(grid(), { line }, true), "") << "a closed curve";
-  EXPECT_EQ(opposedOn(grid(), { { { 1, 2, 0 }, { 3, 2, 0 } }, { { 5, 2, 0 }, { 3, 2, 0 } } }), "")
-    << "which meet at their ends";
-  EXPECT_EQ(
-    opposedOn(grid(), { { { 1, 2.1, 0 }, { 3, 2.1, 0 } }, { { 3, 2.1001, 0 }, { 1, 2.1001, 0 } } }),
-    "")
-    << "beside each other";
-  EXPECT_EQ(
-    opposedOn(grid(), { { { 1, 2.1, 0 }, { 3, 2.1, 0 } }, { { 3, 2.1001, 0 }, { 1, 2.0999, 0 } } }),
-    "")
-    << "which cross";
-  EXPECT_EQ(opposedOn(grid(), { { { 1, 2.1, 0 } }, { { 1, 2.1, 0 } } }), "") << "points";
+  const TriangleMesh grid = engineMesh(geodesictest::regularGrid(8, 8));
+  const Vec3 a = { 0.3, 1.2, 0 };
+  const Vec3 b = { 2.7, 1.9, 0 };
+  const Vec3 c = { 5.1, 4.4, 0 };
+  struct Case
+  {
+    const char* what;
+    std::vector<Points> curves;
+    const char* opposed;
+    bool closed = false;
+  };
+  const std::vector<Case> cases = { { "there and back, closed", { { a, b, c, b } }, "0/2 0/3",
+                                      true },
+    { "there and back", { { a, b, c, b, a } }, "0/2 0/3" },
+    { "one segment there and back", { { a, b, a } }, "0/1" },
+    { "along an edge", { { { 1, 2, 0 }, { 5, 2, 0 } }, { { 3, 2, 0 }, { 2, 2, 0 } } }, "1/0" },
+    { "along parts of edges",
+      { { { 0.5, 2, 0 }, { 1.5, 2, 0 } }, { { 1.25, 2, 0 }, { 0.25, 2, 0 } } }, "1/0" },
+    { "a part in a face",
+      { { { 1.2, 2.1, 0 }, { 6, 2.1, 0 } }, { { 4.7, 2.1, 0 }, { 4.6, 2.1, 0 } } }, "1/0" },
+    { "in one direction", { { a, b, c }, { a, b, c } }, "" },
+    { "a closed curve", { { a, b, c } }, "", true },
+    { "which meet at their ends", { { { 1, 2, 0 }, { 3, 2, 0 } }, { { 5, 2, 0 }, { 3, 2, 0 } } },
+      "" },
+    { "which meet at their ends in a face",
+      { { { 1.7, 2.1, 0 }, { 1.8, 2.1, 0 } }, { { 1.9, 2.1, 0 }, { 1.8, 2.1, 0 } } }, "" },
+    { "beside each other",
+      { { { 1, 2.1, 0 }, { 3, 2.1, 0 } }, { { 3, 2.1001, 0 }, { 1, 2.1001, 0 } } }, "" },
+    { "which cross", { { { 1, 2.1, 0 }, { 3, 2.1, 0 } }, { { 3, 2.1001, 0 }, { 1, 2.0999, 0 } } },
+      "" },
+    { "points", { { { 1, 2.1, 0 } }, { { 1, 2.1, 0 } } }, "" } };
+  for (const Case& given : cases)
+  {
+    EXPECT_EQ(opposedOn(grid, given.curves, given.closed), given.opposed) << given.what;
+  }
 }
 
 /// Shortest paths there and back are traced separately.
