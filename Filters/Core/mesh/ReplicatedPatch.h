@@ -72,45 +72,6 @@ public:
   /// \param part this rank's partition; in one process its mesh must outlive this and its copies.
   /// \param faces faces of the patch that this rank owns, in any order.
   ReplicatedPatch(const MeshPartition& part, const std::vector<Id>& faces);
-
-  /// The faces of the mesh that were gathered: all of them, but in one process those that were
-  /// asked for.
-  const std::vector<Id>& faces() const { return this->faces_; }
-
-  /// Whether an edge of one of the first faces is on the boundary of the whole surface. The patch
-  /// has a boundary of its own where it ends.
-  bool isGlobalBoundary(Id halfedge) const
-  {
-    const Id k = TriangleMesh::indexInFace(halfedge);
-    return this->onThisRank_
-      ? (this->onThisRank_->boundary[TriangleMesh::faceOf(halfedge)] >> k & 1U) != 0
-      : this->mesh().isBoundary(halfedge);
-  }
-
-  /// The number of the patch's face or vertex in this rank's partition; NoId if the partition does
-  /// not have it. Vertices are found only if they are this rank's own points.
-  Id faceOfPart(Id face) const
-  {
-    return this->onThisRank_ ? this->onThisRank_->faceOfPart[face] : face;
-  }
-  Id vertexOfPart(Id vertex) const
-  {
-    return this->onThisRank_ ? this->onThisRank_->vertexOfPart[vertex] : vertex;
-  }
-
-private:
-  /// What this rank knows of the patch.
-  struct OnThisRank
-  {
-    /// A bit for each halfedge of a face.
-    std::vector<std::uint8_t> boundary;
-    std::vector<Id> faceOfPart;
-    std::vector<Id> vertexOfPart;
-  };
-
-  /// Null in one process.
-  std::shared_ptr<const OnThisRank> onThisRank_;
-  std::vector<Id> faces_;
 };
 
 }

@@ -216,18 +216,38 @@ private:
   SourceWindows result_;
 };
 
+/// A halfedge of a patch in a rank's part; NoId if the part does not have its face.
+Id halfedgeOfPart(const MeshPartition& part, const ReplicatedPatch& patch, Id halfedge)
+{
+  const Id face = part.faceAt(patch.ownerOf(TriangleMesh::faceOf(halfedge)));
+  return face != NoId ? TriangleMesh::inCopy(halfedge, face) : NoId;
+}
+
+/// A vertex of a patch in a rank's part; NoId if it is none of the rank's own points.
+Id vertexOfPart(const MeshPartition& part, const ReplicatedPatch& patch, Id vertex)
+{
+  for (const Id corner : patch.mesh().cornersAt(vertex))
+  {
+    const Id there = halfedgeOfPart(part, patch, corner);
+    if (there != NoId && part.mesh().origin(there) < part.numberOfOwnVertices())
+    {
+      return part.mesh().origin(there);
+    }
+  }
+  return NoId;
+}
+
 /// Those windows whose halfedges a rank needs, with its numbers.
 ///
 /// \param isNeeded (Id halfedge) -> bool, with the rank's number.
 template <typename IsNeeded>
-std::vector<LeavingWindow> windowsOfPart(
-  const ReplicatedPatch& patch, const std::vector<LeavingWindow>& windows, const IsNeeded& isNeeded)
+std::vector<LeavingWindow> windowsOfPart(const MeshPartition& part, const ReplicatedPatch& patch,
+  const std::vector<LeavingWindow>& windows, const IsNeeded& isNeeded)
 {
   std::vector<LeavingWindow> result;
   for (const LeavingWindow& leaving : windows)
   {
-    const Id face = patch.faceOfPart(TriangleMesh::faceOf(leaving.halfedge));
-    const Id halfedge = face != NoId ? TriangleMesh::inCopy(leaving.halfedge, face) : NoId;
+    const Id halfedge = halfedgeOfPart(part, patch, leaving.halfedge);
     if (halfedge != NoId && isNeeded(halfedge))
     {
       result.push_back({ halfedge, leaving.window });
@@ -242,31 +262,32 @@ std::vector<LeavingWindow> windowsOfPart(
 
 /// Where a rank does not have the halfedge's face, nor its halo, it has no face at the vertex.
 std::vector<NearVertex> nearVerticesOfPart(
-  const ReplicatedPatch& patch, const std::vector<NearVertex>& vertices)
+  const MeshPartition& part, const ReplicatedPatch& patch, const std::vector<NearVertex>& vertices)
 {
   std::vector<NearVertex> result;
   for (NearVertex near : vertices)
   {
-    near.vertex = patch.vertexOfPart(near.vertex);
+    near.vertex = vertexOfPart(part, patch, near.vertex);
     if (near.vertex == NoId)
     {
       continue;
     }
-    const Id face = near.hasFan() ? patch.faceOfPart(TriangleMesh::faceOf(near.halfedge)) : NoId;
-    near.halfedge = face != NoId ? TriangleMesh::inCopy(near.halfedge, face) : NoId;
+    near.halfedge = near.hasFan() ? halfedgeOfPart(part, patch, near.halfedge) : NoId;
     result.push_back(near);
   }
   return result;
 }
 
-std::vector<Id> verticesOfPart(const ReplicatedPatch& patch, const std::vector<Id>& vertices)
+std::vector<Id> verticesOfPart(
+  const MeshPartition& part, const ReplicatedPatch& patch, const std::vector<Id>& vertices)
 {
   std::vector<Id> result;
   for (const Id vertex : vertices)
   {
-    if (patch.vertexOfPart(vertex) != NoId)
+    const Id there = vertexOfPart(part, patch, vertex);
+    if (there != NoId)
     {
-      result.push_back(patch.vertexOfPart(vertex));
+      result.push_back(there);
     }
   }
   std::sort(result.begin(), result.end());
@@ -286,14 +307,14 @@ SourceWindows makeSourceWindows(const MeshPartition& part, const ReplicatedPatch
 {
   const SourceWindows onPatch = makeSourceWindows(patch.mesh(), curves, job);
   SourceWindows result;
-  result.windows = windowsOfPart(patch, onPatch.windows,
+  result.windows = windowsOfPart(part, patch, onPatch.windows,
     [&](Id halfedge) { return part.isOwn(TriangleMesh::faceOf(halfedge)); });
   // Each rank learns all ways to a vertex itself, so that all choose among them alike.
-  result.toVertices = windowsOfPart(patch, onPatch.toVertices,
+  result.toVertices = windowsOfPart(part, patch, onPatch.toVertices,
     [&](Id halfedge) { return part.mesh().opposite(halfedge) < part.numberOfOwnVertices(); });
   for (const SourceInFace& source : onPatch.inFaces)
   {
-    const Id face = patch.faceOfPart(source.face);
+    const Id face = part.faceAt(patch.ownerOf(source.face));
     if (face != NoId)
     {
       std::vector<SourceInFace>& sources = part.isOwn(face) ? result.inFaces : result.inHalo;
@@ -301,8 +322,8 @@ SourceWindows makeSourceWindows(const MeshPartition& part, const ReplicatedPatch
       sources.back().face = face;
     }
   }
-  result.vertices = verticesOfPart(patch, onPatch.vertices);
-  result.nearVertices = nearVerticesOfPart(patch, onPatch.nearVertices);
+  result.vertices = verticesOfPart(part, patch, onPatch.vertices);
+  result.nearVertices = nearVerticesOfPart(part, patch, onPatch.nearVertices);
   return result;
 }
 
