@@ -13,17 +13,15 @@
 namespace geodesic
 {
 
-/// One side of a curve, at a parameter (CurveChains::parameters()).
+/// One side of a curve at one of its points, by its number (CurveChains).
 struct SideOfCurve
 {
-  Id curve = NoId;
+  Id point = NoId;
   bool isRight = false;
-  double parameter = 0.0;
 
   bool operator==(const SideOfCurve& other) const
   {
-    return this->curve == other.curve && this->isRight == other.isRight &&
-      this->parameter == other.parameter;
+    return this->point == other.point && this->isRight == other.isRight;
   }
   bool operator!=(const SideOfCurve& other) const { return !(*this == other); }
 };
@@ -31,11 +29,10 @@ struct SideOfCurve
 /// A point of the source, and the ends of all segments at its place.
 struct PointOfSource
 {
-  SurfacePoint point;
+  SurfacePoint place;
   std::vector<SegmentEnd> ends;
-  /// A curve through the point, and the parameter there.
-  Id curve = NoId;
-  double parameter = 0.0;
+  /// The number of a curve's point there (CurveChains).
+  Id point = NoId;
 };
 
 /// A corner of a vertex that a walk from face to face has come to across an edge.
@@ -134,8 +131,7 @@ private:
   struct End
   {
     double at = 0.0;
-    Id curve = NoId;
-    double parameter = 0.0;
+    Id point = NoId;
     bool isForward = true;
 
     bool operator<(const End& other) const { return this->at < other.at; }
@@ -143,8 +139,7 @@ private:
     double angle(bool isClockwise) const { return this->isForward ? 0.0 : isClockwise ? Pi : -Pi; }
     bool isContinuedBy(const End& other) const
     {
-      return this->curve == other.curve && this->parameter == other.parameter &&
-        this->isForward != other.isForward;
+      return this->point == other.point && this->isForward != other.isForward;
     }
   };
   /// An angle in a part of a fan.

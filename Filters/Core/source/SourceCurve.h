@@ -61,9 +61,9 @@ struct SegmentEnd
   SurfacePoint from;
   SurfacePoint to;
   Id face = NoId;
-  /// The curve's number, the end's parameter, and whether the curve runs away from the end.
-  Id curve = 0;
-  double parameter = 0.0;
+  /// The number of the end among the points of all chains (CurveChains), and whether the chain runs
+  /// away from the end.
+  Id point = 0;
   bool isBeginning = true;
   /// For a segment without length: the direction in its face in which the curve continues behind
   /// it.

@@ -101,18 +101,18 @@ private:
       // Faces at an edge of three and more faces see the curve bend.
       const bool straight =
         curve.isCut[i] && p.kind == SurfacePoint::Kind::Edge && this->mesh_.isInner(p.id);
-      const CurveChains::Point at = { chain, i };
+      const Id point = this->chains().numberOf({ chain, i });
       if (p.kind == SurfacePoint::Kind::Vertex)
       {
         continue; // see emitFromVertices()
       }
-      if (straight || this->curves_.vertexAtPlaceOf(at) != nullptr)
+      if (straight || this->curves_.vertexAtPlaceOf(point) != nullptr)
       {
         this->job_.look();
       }
       else
       {
-        this->emitFromPoint(at, this->curves_.endsAt(at));
+        this->emitFromPoint(point, this->curves_.endsAt(point));
       }
     }
   }
@@ -125,31 +125,32 @@ private:
       if (&v == this->curves_.find(v.vertex))
       {
         this->result_.vertices.push_back(v.vertex);
-        this->emitFromPoint({ v.curve, v.i }, this->curves_.endsAtVertex(v.vertex));
+        this->emitFromPoint(v.point, this->curves_.endsAtVertex(v.vertex));
       }
     }
   }
 
   /// \param ends of the segments that bound the point's wedge.
-  void emitFromPoint(const CurveChains::Point& at, const std::vector<SegmentEnd>& ends)
+  void emitFromPoint(Id point, const std::vector<SegmentEnd>& ends)
   {
     this->job_.look();
-    const PointOfSource place = this->curves_.placeOf(at);
-    const CurveWedge wedge = wedgeAround(this->mesh_, place.point, ends);
-    const FanAround fan(this->mesh_, place);
-    const EmittingPoint from = { this->chains(), wedge, fan };
-    forEachFace(this->mesh_, place.point,
+    const PointOfSource from = this->curves_.placeOf(point);
+    const CurveWedge wedge = wedgeAround(this->mesh_, from.place, ends);
+    const FanAround fan(this->mesh_, from);
+    const CurveChains::Point at = this->chains().pointWith(from.point);
+    const double parameter = this->chains().parameters(at.chain)[at.i];
+    forEachFace(this->mesh_, from.place,
       [&](Id face)
       {
         this->job_.look();
-        const Barycentric b = barycentric(this->mesh_, place.point, face);
-        const SourceInFace source = { face, b, b, place.curve, place.parameter, place.parameter };
-        if (place.point.kind != SurfacePoint::Kind::Vertex)
+        const Barycentric b = barycentric(this->mesh_, from.place, face);
+        const SourceInFace source = { face, b, b, at.chain, parameter, parameter };
+        if (from.place.kind != SurfacePoint::Kind::Vertex)
         {
           this->result_.inFaces.push_back(source);
           this->findNearVertices(face, b);
         }
-        addPointWindows(this->mesh_, source, from, this->result_);
+        addPointWindows(this->mesh_, source, wedge, fan, this->result_);
       });
   }
 
