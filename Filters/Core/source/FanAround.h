@@ -35,21 +35,6 @@ struct PointOfSource
   Id point = NoId;
 };
 
-/// A corner of a vertex that a walk from face to face has come to across an edge.
-struct EnteredCorner
-{
-  Id corner;
-  /// The corner's other edge.
-  Id onward;
-
-  /// \param entered the edge's halfedge in the corner's face.
-  EnteredCorner(const TriangleMesh& mesh, Id vertex, Id entered)
-    : corner(mesh.origin(entered) == vertex ? entered : TriangleMesh::nextInFace(entered))
-    , onward(this->corner == entered ? TriangleMesh::previousInFace(entered) : this->corner)
-  {
-  }
-};
-
 /// The faces around a point of the source, laid out in fans: each face of a fan follows the one
 /// before it across an edge of two faces. All faces at an edge continue its first one. Tells the
 /// angle of each direction, and the curve and the side of it that the direction belongs to.

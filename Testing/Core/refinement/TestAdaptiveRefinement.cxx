@@ -208,7 +208,7 @@ TEST(RefinementOfBoundaryFields, IsNowhereOverTheTolerance)
     const PlainMesh mesh =
       seed % 2 == 0 ? bumpySheet(7, 8, 2, 0.5, random) : planarWithHoles(8, 7, 2, random);
     const TriangleMesh engine = engineMesh(mesh);
-    const DistanceField field = solveKeepingAll(engine, geodesic::boundaryCurves(engine));
+    const DistanceField field = solveKeepingAll(engine, boundaryCurves(engine));
     const double largest = largestFinite(field.vertexDistances());
     const double tolerance = 0.01 * largest;
     const RefinedMesh refined = refineTo(field, tolerance);
@@ -247,7 +247,7 @@ TEST(RefinementOfOneFace, SeesALocalMaximumInside)
 {
   const PlainMesh mesh = { { { 0, 0, 0 }, { 3, 0, 0 }, { 0, 4, 0 } }, { { 0, 1, 2 } } };
   const TriangleMesh engine = engineMesh(mesh);
-  const DistanceField field = solveKeepingAll(engine, geodesic::boundaryCurves(engine));
+  const DistanceField field = solveKeepingAll(engine, boundaryCurves(engine));
   Random random(1);
   for (const double tolerance : { 2.0, 0.5, 0.1, 0.01 })
   {
