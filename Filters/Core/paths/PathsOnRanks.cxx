@@ -141,7 +141,7 @@ PathsOnRanks::Followed PathsOnRanks::followHere(TracedPath& traced, std::size_t 
   }
   const bool leaves = elsewhere != NoId;
   path.ranks =
-    leaves ? std::vector<int>{ this->part_.ownerOf(elsewhere).rank } : this->ranksAround(traced);
+    leaves ? std::vector<int>{ this->part_.addressOf(elsewhere).rank } : this->ranksAround(traced);
   const Id face = !leaves             ? someFace(mesh, traced.points.back())
     : traced.next == Next::BehindExit ? TriangleMesh::faceOf(traced.exit)
                                       : elsewhere;
