@@ -356,8 +356,14 @@ void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source, const
   std::array<bool, 3> isDone = {};
   for (const Id corner : TriangleMesh::halfedgesOf(source.face))
   {
+    const double weight = source.a[TriangleMesh::indexInFace(corner)];
+    if (weight == 1.0 || !(1.0 - weight < tolerance::NearVertex))
+    {
+      continue; // at the vertex, or not near
+    }
     const NearVertex near = nearVertexAt(mesh, corner, source.a);
-    if (near.hasFan() && near.distance > 0.0)
+    result.nearVertices.push_back(near);
+    if (near.hasFan())
     {
       const Id other = TriangleMesh::previousInFace(corner);
       const double turn = polarAngle(fromCorner(mesh, corner, source.a));

@@ -148,7 +148,6 @@ private:
         if (from.place.kind != SurfacePoint::Kind::Vertex)
         {
           this->result_.inFaces.push_back(source);
-          this->findNearVertices(face, b);
         }
         addPointWindows(this->mesh_, source, wedge, fan, this->result_);
       });
@@ -196,18 +195,6 @@ private:
     }
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  }
-
-  void findNearVertices(Id face, const Barycentric& b)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      if (1.0 - b[k] < tolerance::NearVertex)
-      {
-        this->result_.nearVertices.push_back(
-          nearVertexAt(this->mesh_, TriangleMesh::halfedgeOf(face, k), b));
-      }
-    }
   }
 
   const TriangleMesh& mesh_;
