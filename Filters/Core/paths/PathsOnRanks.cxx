@@ -42,7 +42,7 @@ void PathsOnRanks::follow(const TakePath& take)
     this->part_.exchange(), this->job_,
     [this](Questions& questions) { return this->ask(questions); },
     [this](const SentPath& sent) { return this->step(sent); },
-    [this](const SentPath&, Step& step, Message& answer) { this->tell(step, answer); },
+    [this](Step& step, Message& answer) { this->tell(step, answer); },
     [&](std::size_t i, MessageReader& answer) { this->hear(this->paths_[i], answer, take); });
   this->paths_.clear();
 }
