@@ -94,7 +94,7 @@ public:
   {
     return face - this->firstOwnFace_ < this->endOfOwnFaces_ - this->firstOwnFace_;
   }
-  /// The one of the constructor's triangles that a face that is owned was made of.
+  /// The constructor's triangle that an owned face was made of.
   Id triangleOf(Id face) const
   {
     return this->mesh_->inputFace(face) - (this->tables_ ? this->tables_->firstTriangle : 0);

@@ -10,8 +10,8 @@
 namespace geodesic
 {
 
-/// Faces of several ranks as a mesh of their own. In one process it may be the whole surface: then
-/// numbers are the surface's own, and there are no tables. Copies share the tables.
+/// Faces of several ranks as a mesh of their own; or, in one process, the surface's own mesh with
+/// its own numbers, without tables. Copies share the tables.
 class GatheredFaces
 {
 public:
@@ -54,9 +54,10 @@ private:
   const TriangleMesh* mesh_;
 };
 
-/// A small part of a distributed surface as a mesh that is the same on all ranks: some faces, all
-/// others around their vertices, and all around the vertices of these. So angles and siblings are
-/// those of the whole surface wherever paths leave points of the first faces.
+/// A small part of a distributed surface as a mesh that is the same on all ranks: the faces asked
+/// for, all others around their vertices, and all around the vertices of these. So angles and
+/// siblings are those of the whole surface wherever paths leave points of the faces asked for.
+/// MeshPartition::faceAt(ownerOf()) is the number of its faces on this rank.
 ///
 /// In one process the mesh is its own patch.
 class ReplicatedPatch : public GatheredFaces

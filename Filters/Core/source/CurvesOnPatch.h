@@ -52,9 +52,9 @@ public:
   /// The ends of all segments that meet in a vertex, of all curves.
   std::vector<SegmentEnd> endsAtVertex(Id vertex) const;
 
-  /// The vertex at the place of a chain's point: the point itself, or a vertex of the chain to
-  /// which segments without length lead. All segments at the place then bound the wedge of the
-  /// vertex. Null if there is no vertex.
+  /// The vertex at the place of a chain's point: the point itself, or a vertex to which segments
+  /// without length lead along the chain. Null if there is none. Such points emit as one, from the
+  /// vertex.
   const VertexOnCurve* vertexAtPlaceOf(Id point) const;
   /// A chain's point, or the vertex at its place, with the ends of all segments there: of all
   /// curves at a vertex, else of this chain.

@@ -44,9 +44,9 @@ inline SourceCurve pointCurve(const SurfacePoint& point)
   return { { point }, {}, { 0 } };
 }
 
-/// Adds the edges at which faces that a source covers meet others though none of its curves runs
-/// along: edges of three and more faces at which a region branches, and edges beside which its
-/// outline runs by a rounding. Each is a curve with the region to its left.
+/// Adds the edges between covered faces and others along which no curve of the source runs: edges
+/// of three and more faces at which a region branches, and edges that its outline misses by a
+/// rounding. Each becomes a curve with the region to its left.
 void addBordersWithoutCurves(const TriangleMesh& mesh, std::vector<SourceCurve>& curves);
 
 /// The length of the segment from point i to point i + 1 of a curve.
