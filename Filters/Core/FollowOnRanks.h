@@ -19,7 +19,7 @@ namespace geodesic
 /// \param ask (Questions&) -> bool: asks with one State for each item that is open, and tells
 ///        whether there is one.
 /// \param step (const State&): what the asked rank finds. Called on the job's threads.
-/// \param tell (const State&, what was found, Message&): puts the answer.
+/// \param tell (what was found, Message&): puts the answer.
 /// \param take (item, MessageReader&): reads the answer about one item.
 /// \param mostRounds after which states stay open.
 template <typename State, typename Ask, typename Step, typename Tell, typename Take>
@@ -40,13 +40,13 @@ void followOnRanks(Exchange& exchange, const Job& job, Ask&& ask, Step&& step, T
       { asked.push_back(question.get<State>()); },
       [&](MessageReader& question, Message& answer)
       {
-        const auto state = question.get<State>();
+        question.get<State>();
         if (next == 0)
         {
           found.resize(asked.size());
           job.tasks(asked.size(), [&](std::size_t i) { found[i] = step(asked[i]); });
         }
-        tell(state, found[next++], answer);
+        tell(found[next++], answer);
       },
       take);
   }

@@ -157,23 +157,40 @@ std::vector<Id> facesAt(const MeshPartition& part, const RankPiece& piece, const
   return faces;
 }
 
+/// The boundary of the whole surface on a patch that has its faces, the same on all ranks.
+std::vector<SourceCurve> boundaryOn(const MeshPartition& part, const ReplicatedPatch& patch)
+{
+  std::vector<RankAddress> own; // halfedges
+  for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
+  {
+    for (const Id halfedge : TriangleMesh::halfedgesOf(face))
+    {
+      if (part.mesh().isBoundary(halfedge))
+      {
+        own.push_back({ part.exchange().rank(), halfedge });
+      }
+    }
+  }
+  std::vector<Id> ends;
+  std::vector<Id> faces;
+  for (const RankAddress& found : valuesOfRanks(part.exchange(), own))
+  {
+    const Id face = patch.faceAt({ found.rank, TriangleMesh::faceOf(found.id) });
+    const Id halfedge = TriangleMesh::inCopy(found.id, face);
+    ends.insert(ends.end(), { patch.mesh().origin(halfedge), patch.mesh().destination(halfedge) });
+    faces.push_back(face);
+  }
+  return curvesAlong(ends, faces);
+}
+
 /// The source on a patch, the same on all ranks.
 std::vector<SourceCurve> curvesOn(const MeshPartition& part, const ReplicatedPatch& patch,
   const RankPiece& piece, const RankSource& source)
 {
   const TriangleMesh& mesh = patch.mesh();
-  std::vector<SourceCurve> curves;
   if (source.isBoundary)
   {
-    for (SourceCurve& curve : boundaryCurves(mesh))
-    {
-      const Id halfedge = mesh.halfedgeBetween(curve.points[0].id, curve.points[1].id);
-      if (patch.isGlobalBoundary(halfedge))
-      {
-        curves.push_back(std::move(curve));
-      }
-    }
-    return curves;
+    return boundaryOn(part, patch);
   }
   const auto places = placesIn(source);
   Message message;

@@ -2,6 +2,7 @@
 #ifndef geodesictest_EngineSupport_h
 #define geodesictest_EngineSupport_h
 
+#include "EdgesOfMesh.h"
 #include "Seeds.h"
 #include "truth/BruteForce.h"
 #include "truth/RandomCurves.h"
@@ -14,7 +15,6 @@
 #include "mesh/TriangleMesh.h"
 #include "paths/JoinPoints.h"
 #include "paths/PathsToSource.h"
-#include "source/BoundaryCurves.h"
 #include "source/PolylineOnSurface.h"
 #include "source/SourceCurve.h"
 

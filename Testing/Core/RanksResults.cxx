@@ -360,7 +360,7 @@ private:
     {
       if (!rank.part.isOwn(face))
       {
-        others.push_back(rank.part.ownerOf(face));
+        others.push_back(rank.part.addressOf(face));
       }
     }
     const auto told = findRefinedFaces(others, rank.part, refined, {});
@@ -456,7 +456,7 @@ private:
   {
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
-      const geodesic::Triangle& corners = rank.part.mesh().triangle(rank.part.copyOf(faces[i]));
+      const geodesic::Triangle& corners = rank.part.mesh().triangle(rank.part.faceAt(faces[i]));
       const auto placeOf = [&](Id point) -> Placed
       {
         if (point < 3)

@@ -25,7 +25,7 @@ void exchangeEdgePoints(const MeshPartition& part, std::vector<EdgePoint>& point
     [&](int rank, MessageReader& reader)
     {
       auto p = reader.get<EdgePoint>();
-      const Id face = part.copyOf({ rank, TriangleMesh::faceOf(p.halfedge) });
+      const Id face = part.faceAt({ rank, TriangleMesh::faceOf(p.halfedge) });
       p.halfedge = TriangleMesh::inCopy(p.halfedge, face);
       points.push_back(p);
     });

@@ -40,7 +40,7 @@ PathOrigin FootFinder::originOf(const IncomingSegment& piece)
     piece.kind == IncomingSegment::Kind::Corner ? this->onCurveAt(origin.vertex()) : nullptr;
   if (on != nullptr)
   {
-    return this->inFanAt(on->curve, on->parameter, piece);
+    return this->inFanAt(on->point, piece);
   }
   return { origin };
 }
@@ -64,18 +64,19 @@ PathOrigin FootFinder::atSource(const IncomingSegment& piece)
     const bool isRight = cross(along, piece.ray.vector) < 0.0;
     return { RayOrigin::curveSide(source.curve, isRight), false, RayStart::atParameter(parameter) };
   }
-  return this->inFanAt(
-    source.curve, piece.along > 0.0 ? source.parameterOfB : source.parameterOfA, piece);
+  const double parameter = piece.along > 0.0 ? source.parameterOfB : source.parameterOfA;
+  return this->inFanAt(this->curves_.chains().pointAt(source.curve, parameter), piece);
 }
 
 // The piece's direction in the fan of a chain's point: the side that it belongs to, and its angle.
-PathOrigin FootFinder::inFanAt(Id chain, double parameter, const IncomingSegment& piece)
+PathOrigin FootFinder::inFanAt(Id point, const IncomingSegment& piece)
 {
   const Id face = this->faceOfCurves(TriangleMesh::faceOf(piece.ray.halfedge));
   const Id halfedge = TriangleMesh::inCopy(piece.ray.halfedge, face);
   const Vec2 direction = piece.ray.vector;
-  const FanAround& fan = this->fanAt(chain, parameter);
-  PathOrigin path = this->atPoint(fan.sideOf(halfedge, direction));
+  const FanAround& fan = this->fanAt(point);
+  const SideOfCurve side = fan.sideOf(halfedge, direction);
+  PathOrigin path = { RayOrigin::pointSide(side.point, side.isRight) };
   if (this->field_.hasAngles() && dot(direction, direction) > 0.0 && fan.hasFace(face))
   {
     path.hasAngle = true;
@@ -84,25 +85,17 @@ PathOrigin FootFinder::inFanAt(Id chain, double parameter, const IncomingSegment
   return path;
 }
 
-PathOrigin FootFinder::atPoint(const SideOfCurve& side) const
-{
-  const Id point = this->curves_.chains().pointAt(side.curve, side.parameter);
-  return { RayOrigin::pointSide(point, side.isRight) };
-}
-
 // All curves at a vertex have the same fan there.
-const FanAround& FootFinder::fanAt(Id chain, double parameter)
+const FanAround& FootFinder::fanAt(Id point)
 {
-  const CurveChains& chains = this->curves_.chains();
-  Id number = chains.pointAt(chain, parameter);
-  if (const VertexOnCurve* on = this->curves_.vertexAtPlaceOf(chains.pointWith(number)))
+  if (const VertexOnCurve* on = this->curves_.vertexAtPlaceOf(point))
   {
-    number = chains.pointAt(on->curve, on->parameter);
+    point = on->point;
   }
-  if (number != this->fanPoint_)
+  if (point != this->fanPoint_)
   {
-    this->fan_.emplace(this->meshOfCurves(), this->curves_.placeOf(chains.pointWith(number)));
-    this->fanPoint_ = number;
+    this->fan_.emplace(this->meshOfCurves(), this->curves_.placeOf(point));
+    this->fanPoint_ = point;
   }
   return *this->fan_;
 }
@@ -248,8 +241,9 @@ double FootFinder::angleOf(const Foot& foot)
   {
     return 0.0;
   }
-  return this->curves_.chains().angleFrom(
-    foot.curve, this->fanAt(foot.chain, foot.parameter).angleFromCurve(foot.angleInFan));
+  const CurveChains& chains = this->curves_.chains();
+  const FanAround& fan = this->fanAt(chains.pointAt(foot.chain, foot.parameter));
+  return chains.angleFrom(foot.curve, fan.angleFromCurve(foot.angleInFan));
 }
 
 }

@@ -128,14 +128,13 @@ public:
 protected:
   const DistanceField& field() const { return this->field_; }
   const VertexOnCurve* onCurveAt(GlobalId id) const;
-  PathOrigin atPoint(const SideOfCurve& side) const;
 
 private:
   PathOrigin originAt(const SurfacePoint& last, const SurfacePoint& before, Id face);
   Id faceOfCurves(Id face) const;
   PathOrigin atSource(const IncomingSegment& piece);
-  PathOrigin inFanAt(Id chain, double parameter, const IncomingSegment& piece);
-  const FanAround& fanAt(Id chain, double parameter);
+  PathOrigin inFanAt(Id point, const IncomingSegment& piece);
+  const FanAround& fanAt(Id point);
 
   const DistanceField& field_;
   /// The origins of windows have the numbers of these curves' chains.

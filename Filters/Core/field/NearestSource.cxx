@@ -19,7 +19,7 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
     const Id vertex = part.countedVertex(patch.globalId(on.vertex));
     if (vertex != NoId)
     {
-      this->origins_[vertex] = this->atPoint({ on.curve, false, on.parameter });
+      this->origins_[vertex] = { RayOrigin::pointSide(on.point, false) };
     }
   }
   for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)

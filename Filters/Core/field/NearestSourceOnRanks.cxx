@@ -78,7 +78,7 @@ Origins originsElsewhere(const DistanceField& field, std::vector<PathOrigin>& at
       return !asked.empty();
     },
     [&](GlobalId vertex) { return known(atVertices[part.countedVertex(vertex)]); },
-    [](GlobalId, const PathOrigin& path, Message& answer) { put(answer, path); },
+    [](const PathOrigin& path, Message& answer) { put(answer, path); },
     [&](std::size_t i, MessageReader& answer) { *asked[i] = answer.get<PathOrigin>(); },
     MaximumSteps);
   for (auto& [number, path] : elsewhere)

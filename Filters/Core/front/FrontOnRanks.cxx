@@ -146,7 +146,7 @@ void FrontOnRanks::completeHalo(std::vector<double>& distances)
     const Id vertex = mesh.origin(corner);
     if (vertex >= firstOfHalo && !isAsked[vertex - firstOfHalo])
     {
-      const RankAddress owner = this->surface_.ownerOf(TriangleMesh::faceOf(corner));
+      const RankAddress owner = this->surface_.addressOf(TriangleMesh::faceOf(corner));
       questions.ask(owner.rank, vertex, TriangleMesh::inCopy(corner, owner.id));
       isAsked[vertex - firstOfHalo] = 1;
     }
@@ -158,7 +158,7 @@ void FrontOnRanks::completeHalo(std::vector<double>& distances)
 
 void FrontOnRanks::addList(const HalfedgeList& list)
 {
-  const RankAddress owner = this->surface_.ownerOf(TriangleMesh::faceOf(list.halfedge));
+  const RankAddress owner = this->surface_.addressOf(TriangleMesh::faceOf(list.halfedge));
   Message& message = this->messages_[rankIndex(owner.rank)];
   put(message, TriangleMesh::inCopy(list.halfedge, owner.id));
   put(message, list.windows.size);
@@ -189,7 +189,7 @@ FrontOnRanks::Received FrontOnRanks::step(std::vector<double>& least)
       Id& through = update.from.halfedge;
       if (through != NoId) // in a face of the sender, of which this rank has a copy
       {
-        const Id copy = this->surface_.copyOf({ sender, TriangleMesh::faceOf(through) });
+        const Id copy = this->surface_.faceAt({ sender, TriangleMesh::faceOf(through) });
         through = TriangleMesh::inCopy(through, copy);
       }
       received.updates[sender > exchange.rank() ? 1 : 0].push_back(update);

@@ -33,8 +33,8 @@ inline Barycentric between(const Barycentric& a, const Barycentric& b, double t)
 /// its origin, the face above it.
 Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& point);
 
-/// The way from one point of a face to another in that frame. Near a corner it has relative
-/// precision: of the larger weight, which is close to 1, nothing is used.
+/// The way from one point of a face to another in that frame. It has relative precision near a
+/// corner, as it does not use the corner's weight, which is close to 1 there.
 Vec2 wayInFrame(
   const TriangleMesh& mesh, Id halfedge, const Barycentric& from, const Barycentric& to);
 

@@ -291,7 +291,7 @@ std::vector<Id> MeshPartition::sendToOwners(const std::vector<Id>& faces) const
       own.push_back(face);
       continue;
     }
-    const RankAddress owner = this->ownerOf(face);
+    const RankAddress owner = this->addressOf(face);
     put(messages[rankIndex(owner.rank)], owner.id);
   }
   readEach(this->exchange_->step(std::move(messages)),
@@ -310,17 +310,22 @@ std::vector<int> MeshPartition::otherRanksAt(Id halfedge) const
   do
   {
     const Id face = TriangleMesh::faceOf(around);
-    if (!this->isOwn(face) && (ranks.empty() || ranks.back() != this->ownerOf(face).rank))
+    const int rank = this->addressOf(face).rank;
+    if (rank != this->exchange_->rank() && (ranks.empty() || ranks.back() != rank))
     {
-      ranks.push_back(this->ownerOf(face).rank);
+      ranks.push_back(rank);
     }
     around = this->mesh_->nextSibling(around);
   } while (around != this->mesh_->edgeOf(halfedge));
   return ranks;
 }
 
-Id MeshPartition::copyOf(const RankAddress& face) const
+Id MeshPartition::faceAt(const RankAddress& face) const
 {
+  if (face.rank == this->exchange_->rank())
+  {
+    return face.id;
+  }
   const Id i = this->tables_ ? indexIn(this->tables_->halo, face) : NoId;
   return i == NoId || i < this->firstOwnFace_ ? i
                                               : i + (this->endOfOwnFaces_ - this->firstOwnFace_);

@@ -94,7 +94,7 @@ public:
   {
     return face - this->firstOwnFace_ < this->endOfOwnFaces_ - this->firstOwnFace_;
   }
-  /// The one of the constructor's triangles that a face that is owned was made of.
+  /// The constructor's triangle that an owned face was made of.
   Id triangleOf(Id face) const
   {
     return this->mesh_->inputFace(face) - (this->tables_ ? this->tables_->firstTriangle : 0);
@@ -105,25 +105,17 @@ public:
     return this->tables_ ? this->tables_->numberOfOwnVertices : this->mesh_->numberOfVertices();
   }
 
-  /// The owner of a face of the halo.
-  RankAddress ownerOf(Id face) const
-  {
-    return this->tables_
-      ->halo[face < this->firstOwnFace_ ? face
-                                        : face - (this->endOfOwnFaces_ - this->firstOwnFace_)];
-  }
-  /// The owner of any face.
+  /// The owner of a face, of the halo or not, and its number there.
   RankAddress addressOf(Id face) const
   {
-    return this->isOwn(face) ? RankAddress{ this->exchange_->rank(), face } : this->ownerOf(face);
+    return this->isOwn(face)
+      ? RankAddress{ this->exchange_->rank(), face }
+      : this->tables_
+          ->halo[face < this->firstOwnFace_ ? face
+                                            : face - (this->endOfOwnFaces_ - this->firstOwnFace_)];
   }
-  /// The copy in this rank's halo of a face that another rank owns; NoId if there is none.
-  Id copyOf(const RankAddress& face) const;
-  /// A face by its address, owned by any rank; NoId if this rank does not have it.
-  Id faceAt(const RankAddress& face) const
-  {
-    return face.rank == this->exchange_->rank() ? face.id : this->copyOf(face);
-  }
+  /// A face by its address, owned by any rank; NoId if this rank has no copy of it.
+  Id faceAt(const RankAddress& face) const;
 
   /// Sends faces of this rank, maybe of its halo, to their owners. All ranks call this together.
   ///

@@ -2,7 +2,6 @@
 #include "mesh/ReplicatedPatch.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace geodesic
 {
@@ -29,30 +28,17 @@ std::vector<Id> withNeighbours(const TriangleMesh& mesh, const std::vector<Id>& 
   return around;
 }
 
-/// A face of the patch, and a bit for each of its halfedges on the boundary.
-struct FaceOfPatch : SentFace
-{
-  std::uint8_t boundary;
-};
-
-// Every rank sends its faces among those asked for and around them, and what is around these, also
-// copies. Only the owner of a face says what of it is boundary.
-std::vector<FaceOfPatch> gather(const MeshPartition& part, const std::vector<Id>& faces)
+/// Every rank sends its faces among those asked for and around them, and what is around these, also
+/// copies.
+GatheredFaces gathered(const MeshPartition& part, const std::vector<Id>& faces)
 {
   const TriangleMesh& mesh = part.mesh();
-  std::vector<FaceOfPatch> own;
+  std::vector<SentFace> sent;
   for (const Id face : withNeighbours(mesh, part.sendToOwners(withNeighbours(mesh, faces))))
   {
-    FaceOfPatch entry = { part.sentFace(face), 0 };
-    for (Id k = 0; k < 3; ++k)
-    {
-      const bool isBoundary =
-        part.isOwn(face) && mesh.isBoundary(TriangleMesh::halfedgeOf(face, k));
-      entry.boundary |= static_cast<std::uint8_t>(isBoundary ? 1U << k : 0U);
-    }
-    own.push_back(entry);
+    sent.push_back(part.sentFace(face));
   }
-  return valuesOfRanks(part.exchange(), own);
+  return GatheredFaces(valuesOfRanks(part.exchange(), sent));
 }
 
 } // anonymous namespace
@@ -100,37 +86,8 @@ Id GatheredFaces::vertexAt(GlobalId id) const
 }
 
 ReplicatedPatch::ReplicatedPatch(const MeshPartition& part, const std::vector<Id>& faces)
-  : GatheredFaces(part.mesh())
-  , faces_(faces)
+  : GatheredFaces(part.isDistributed() ? gathered(part, faces) : GatheredFaces(part.mesh()))
 {
-  if (!part.isDistributed())
-  {
-    return;
-  }
-  const std::vector<FaceOfPatch> gathered = gather(part, faces);
-  static_cast<GatheredFaces&>(*this) =
-    GatheredFaces(std::vector<SentFace>(gathered.begin(), gathered.end()));
-  OnThisRank known;
-  known.boundary.assign(this->mesh().numberOfFaces(), 0);
-  for (const FaceOfPatch& entry : gathered)
-  {
-    known.boundary[this->faceAt(entry.owner)] |= entry.boundary;
-  }
-  known.vertexOfPart.assign(this->mesh().numberOfVertices(), NoId);
-  for (Id face = 0; face < this->mesh().numberOfFaces(); ++face)
-  {
-    const Id ofPart = part.faceAt(this->ownerOf(face));
-    known.faceOfPart.push_back(ofPart);
-    for (std::size_t k = 0; k < 3 && ofPart != NoId; ++k)
-    {
-      const Id vertex = part.mesh().triangle(ofPart)[k];
-      Id& found = known.vertexOfPart[this->mesh().triangle(face)[k]];
-      found = vertex < part.numberOfOwnVertices() ? vertex : found;
-    }
-  }
-  this->onThisRank_ = std::make_shared<OnThisRank>(std::move(known));
-  this->faces_.resize(this->mesh().numberOfFaces());
-  std::iota(this->faces_.begin(), this->faces_.end(), Id(0));
 }
 
 }

@@ -64,12 +64,12 @@ Barycentric barycentric(const TriangleMesh& mesh, const SurfacePoint& point, Id 
 /// The point in the frame of a halfedge of a face that contains it.
 Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const SurfacePoint& point);
 
-/// A point by the corners of a face that holds it: the same on every mesh that has the face, as
-/// one rank tells another.
+/// A point by the corners of a face that contains it. Ranks send points in this form: it is the
+/// same on every mesh that has the face.
 struct FacePoint
 {
   SurfacePoint::Kind kind;
-  /// The corner that the point is at, or that its halfedge begins at; of no use inside the face.
+  /// The corner at the point or at the beginning of its halfedge; unused inside the face.
   Id corner;
   /// As SurfacePoint's.
   double u;

@@ -7,6 +7,7 @@
 #include "mesh/GroupedItems.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace geodesic
@@ -78,8 +79,7 @@ FaceShape measure(const TriangleMesh& mesh, Id face)
 // every corner. Requires that these edges have one or two halfedges.
 //
 // \param first that the walk enters across: on the boundary if one of the edges is, so that it
-// covers
-//        the whole fan.
+//        covers the whole fan.
 bool isOneFan(const TriangleMesh& mesh, Id vertex, Id first)
 {
   const std::size_t corners = mesh.cornersAt(vertex).size();
@@ -88,8 +88,7 @@ bool isOneFan(const TriangleMesh& mesh, Id vertex, Id first)
   do
   {
     ++met;
-    const Id across = mesh.origin(entered) == vertex ? TriangleMesh::previousInFace(entered)
-                                                     : TriangleMesh::nextInFace(entered);
+    const Id across = EnteredCorner(mesh, vertex, entered).onward;
     entered = mesh.nextSibling(across);
     if (entered == across)
     {
@@ -168,12 +167,6 @@ private:
   /// The higher one of a halfedge's vertices, and the halfedge.
   using ByHigh = std::pair<Id, Id>;
 
-  struct EdgeCounts
-  {
-    Id edges = 0;
-    Id nonManifold = 0;
-  };
-
   void checkPoints(const Job& job) const
   {
     const std::vector<Vec3>& points = this->mesh_.points_;
@@ -209,30 +202,27 @@ private:
     const TriangleMesh& mesh = this->mesh_;
     const GroupedItems byLow = groupItems(mesh.numberOfHalfedges(), mesh.numberOfVertices(),
       job.part(0.0, 0.5), [&mesh](Id s) { return std::min(mesh.origin(s), mesh.destination(s)); });
-    const std::vector<EdgeCounts> counts =
-      job.part(0.5, 1.0).resultsOfRanges(mesh.numberOfVertices(),
-        [&](std::size_t begin, std::size_t end)
+    const std::vector<Id> nonManifold = job.part(0.5, 1.0).resultsOfRanges(mesh.numberOfVertices(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        Id count = 0;
+        std::vector<ByHigh> byHigh;
+        for (std::size_t vertex = begin; vertex < end; ++vertex)
         {
-          EdgeCounts here;
-          std::vector<ByHigh> byHigh;
-          for (std::size_t vertex = begin; vertex < end; ++vertex)
-          {
-            this->linkSiblings(byLow.at(static_cast<Id>(vertex)), byHigh, here);
-          }
-          return here;
-        });
-    this->mesh_.numberOfEdges_ = 0;
-    this->mesh_.numberOfNonManifoldEdges_ = 0;
-    for (const EdgeCounts& here : counts)
-    {
-      this->mesh_.numberOfEdges_ += here.edges;
-      this->mesh_.numberOfNonManifoldEdges_ += here.nonManifold;
-    }
+          count += this->linkSiblings(byLow.at(static_cast<Id>(vertex)), byHigh);
+        }
+        return count;
+      });
+    this->mesh_.numberOfNonManifoldEdges_ =
+      std::accumulate(nonManifold.begin(), nonManifold.end(), Id(0));
   }
 
   // Among halfedges with the same lower vertex, those with the same higher vertex are siblings.
-  void linkSiblings(const IdRange& halfedges, std::vector<ByHigh>& byHigh, EdgeCounts& counts)
+  //
+  // \returns the number of edges of three and more.
+  Id linkSiblings(const IdRange& halfedges, std::vector<ByHigh>& byHigh)
   {
+    Id nonManifold = 0;
     byHigh.clear();
     for (const Id s : halfedges)
     {
@@ -253,10 +243,10 @@ private:
         ++end;
       }
       next(end - 1) = byHigh[first].second;
-      ++counts.edges;
-      counts.nonManifold += end - first > 2 ? 1 : 0;
+      nonManifold += end - first > 2 ? 1 : 0;
       first = end;
     }
+    return nonManifold;
   }
 
   // Drops faces that name a vertex twice, and duplicates. Hardly any mesh has such faces, so that

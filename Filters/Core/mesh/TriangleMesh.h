@@ -42,7 +42,6 @@ public:
   Id numberOfVertices() const { return static_cast<Id>(this->points_.size()); }
   Id numberOfFaces() const { return static_cast<Id>(this->faces_.size()); }
   Id numberOfHalfedges() const { return 3 * this->numberOfFaces(); }
-  Id numberOfEdges() const { return this->numberOfEdges_; }
   /// Edges of three and more faces.
   Id numberOfNonManifoldEdges() const { return this->numberOfNonManifoldEdges_; }
 
@@ -189,8 +188,22 @@ private:
   std::vector<Id> cornerStart_;
   UninitializedVector<Id> corners_;
   std::vector<PseudoSource> pseudoSource_;
-  Id numberOfEdges_ = 0;
   Id numberOfNonManifoldEdges_ = 0;
+};
+
+/// A corner of a vertex that a walk from face to face has come to across an edge.
+struct EnteredCorner
+{
+  Id corner;
+  /// The corner's other edge.
+  Id onward;
+
+  /// \param entered the edge's halfedge in the corner's face.
+  EnteredCorner(const TriangleMesh& mesh, Id vertex, Id entered)
+    : corner(mesh.origin(entered) == vertex ? entered : TriangleMesh::nextInFace(entered))
+    , onward(this->corner == entered ? TriangleMesh::previousInFace(entered) : this->corner)
+  {
+  }
 };
 
 }

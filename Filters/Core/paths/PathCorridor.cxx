@@ -20,7 +20,7 @@ std::vector<SurfacePoint> ownPlaceOf(
   forEachFace(patch.mesh(), point,
     [&](Id face)
     {
-      const Id own = patch.faceOfPart(face);
+      const Id own = part.faceAt(patch.ownerOf(face));
       if (own != NoId && part.isOwn(own))
       {
         place = { fromBarycentric(part.mesh(), own, barycentric(patch.mesh(), point, face)) };

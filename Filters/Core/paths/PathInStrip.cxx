@@ -6,6 +6,7 @@
 #include "paths/PathInWindows.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace geodesic
@@ -51,7 +52,7 @@ std::vector<Id> facesOfStrip(const MeshPartition& part, const ReplicatedPatch& p
   {
     forEachFace(mesh, fromFacePoint(mesh, target.face.id, target.point), addOwn);
   }
-  const auto addOfPatch = [&](Id face) { addOwn(patch.faceOfPart(face)); };
+  const auto addOfPatch = [&](Id face) { addOwn(part.faceAt(patch.ownerOf(face))); };
   for (const SourceCurve& curve : curves)
   {
     std::for_each(curve.faces.begin(), curve.faces.end(), addOfPatch);
@@ -87,12 +88,15 @@ std::vector<SourceCurve> curvesOnStrip(
 // Lower bounds of the way to the target. Faces that were gathered beside the strip only make it
 // larger: a path through them is one on the surface. In one process the mesh goes on beside the
 // strip, and is closed there.
-Corridor corridorIn(const ReplicatedPatch& strip, const TargetOnRank& target)
+//
+// \param faces of the strip's mesh.
+Corridor corridorIn(
+  const ReplicatedPatch& strip, const std::vector<Id>& faces, const TargetOnRank& target)
 {
   const TriangleMesh& mesh = strip.mesh();
   const SurfacePoint end = onPatch(strip, target);
   Corridor corridor{ std::vector<double>(mesh.numberOfVertices(), Infinity), longestTo(target) };
-  for (const Id face : strip.faces())
+  for (const Id face : faces)
   {
     for (const Id vertex : mesh.triangle(face))
     {
@@ -109,12 +113,18 @@ std::optional<PathToSource> pathInStrip(const MeshPartition& part, const Replica
   const std::vector<SourceCurve>& curves, const TargetOnRank& target,
   const std::vector<double>& toSource, const Job& job)
 {
-  const ReplicatedPatch strip(part, facesOfStrip(part, patch, curves, target, toSource, job));
+  std::vector<Id> faces = facesOfStrip(part, patch, curves, target, toSource, job);
+  const ReplicatedPatch strip(part, faces);
   if (!isHere(part, target))
   {
     return std::nullopt;
   }
-  const Corridor corridor = corridorIn(strip, target);
+  if (part.isDistributed())
+  {
+    faces.resize(strip.mesh().numberOfFaces());
+    std::iota(faces.begin(), faces.end(), Id(0));
+  }
+  const Corridor corridor = corridorIn(strip, faces, target);
   FrontOptions options;
   options.corridor = &corridor;
   options.job = job;

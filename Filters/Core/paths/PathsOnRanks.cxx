@@ -42,7 +42,7 @@ void PathsOnRanks::follow(const TakePath& take)
     this->part_.exchange(), this->job_,
     [this](Questions& questions) { return this->ask(questions); },
     [this](const SentPath& sent) { return this->step(sent); },
-    [this](const SentPath&, Step& step, Message& answer) { this->tell(step, answer); },
+    [this](Step& step, Message& answer) { this->tell(step, answer); },
     [&](std::size_t i, MessageReader& answer) { this->hear(this->paths_[i], answer, take); });
   this->paths_.clear();
 }
@@ -140,7 +140,7 @@ PathsOnRanks::Followed PathsOnRanks::followHere(TracedPath& traced, std::size_t 
   }
   const bool leaves = elsewhere != NoId;
   path.ranks =
-    leaves ? std::vector<int>{ this->part_.ownerOf(elsewhere).rank } : this->ranksAround(traced);
+    leaves ? std::vector<int>{ this->part_.addressOf(elsewhere).rank } : this->ranksAround(traced);
   const Id face = !leaves             ? someFace(mesh, traced.points.back())
     : traced.next == Next::BehindExit ? TriangleMesh::faceOf(traced.exit)
                                       : elsewhere;

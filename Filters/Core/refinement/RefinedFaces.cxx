@@ -43,7 +43,7 @@ RefinedFaces::RefinedFaces(const DistanceField& refined, const Job& job)
   }
   readEach(surface.exchange().step(std::move(messages)),
     [&](int rank, MessageReader& reader) {
-      this->isRefined_[surface.copyOf({ rank, reader.get<Id>() })] = 0;
+      this->isRefined_[surface.faceAt({ rank, reader.get<Id>() })] = 0;
     });
 }
 

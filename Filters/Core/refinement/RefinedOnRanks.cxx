@@ -141,7 +141,7 @@ std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& po
         {
           isKnown = isKnown || (field.knowsInside(face) && exact.knowsInside(face));
         }
-        else if (const int rank = part.ownerOf(face).rank;
+        else if (const int rank = part.addressOf(face).rank;
                  otherRanks.empty() || otherRanks.back() != rank)
         {
           otherRanks.push_back(rank); // faces of one rank are consecutive

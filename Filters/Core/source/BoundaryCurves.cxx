@@ -66,21 +66,6 @@ void addPieces(const SourceCurve& curve, const TriangleMesh& mesh, std::vector<S
 
 } // anonymous namespace
 
-std::vector<SourceCurve> boundaryCurves(const TriangleMesh& mesh)
-{
-  std::vector<Id> faces;
-  std::vector<Id> ends;
-  for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
-  {
-    if (mesh.isBoundary(halfedge))
-    {
-      faces.push_back(TriangleMesh::faceOf(halfedge));
-      ends.insert(ends.end(), { mesh.origin(halfedge), mesh.destination(halfedge) });
-    }
-  }
-  return curvesAlong(ends, faces);
-}
-
 std::vector<SourceCurve> curvesAlong(const std::vector<Id>& ends, const std::vector<Id>& faces)
 {
   std::vector<Chain> chains = followChains(ends);

@@ -9,14 +9,10 @@
 namespace geodesic
 {
 
-/// The whole boundary of the surface: each loop is one closed curve along mesh edges. At a vertex
-/// where the number of boundary edges is not two, all curves end. Every boundary edge is in exactly
-/// one curve. Empty for a closed surface.
-std::vector<SourceCurve> boundaryCurves(const TriangleMesh& mesh);
-
-/// The same of edges that are given.
+/// Curves along mesh edges, such as a surface's boundary: each loop is one closed curve. At a
+/// vertex where the number of edges is not two, all curves end. Every edge is in exactly one curve.
 ///
-/// \param ends their vertices, two an edge.
+/// \param ends the edges' vertices, two an edge.
 /// \param faces one an edge.
 std::vector<SourceCurve> curvesAlong(const std::vector<Id>& ends, const std::vector<Id>& faces);
 

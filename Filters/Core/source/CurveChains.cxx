@@ -104,8 +104,8 @@ Id CurveChains::pointAt(Id chain, double parameter) const
 {
   const std::vector<double>& parameters = this->parameters_[chain];
   const auto at = std::lower_bound(parameters.begin(), parameters.end(), parameter);
-  const std::ptrdiff_t i = std::min(at, parameters.end() - 1) - parameters.begin();
-  return this->firstPoints_[chain] + static_cast<Id>(i);
+  const auto i = std::min(at, parameters.end() - 1) - parameters.begin();
+  return this->numberOf({ chain, static_cast<std::size_t>(i) });
 }
 
 CurveChains::Point CurveChains::pointWith(Id number) const

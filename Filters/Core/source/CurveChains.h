@@ -33,15 +33,19 @@ public:
   const std::vector<double>& parameters(Id chain) const { return this->parameters_[chain]; }
   /// The curve at a parameter of a chain; at a joint, either one.
   Id curveAt(Id chain, double parameter) const;
-  /// The points of all chains are numbered one after another. The number of the first at or behind
-  /// a parameter of a chain, and the point with a number.
-  Id pointAt(Id chain, double parameter) const;
+  /// The points of all chains are numbered one after another.
   struct Point
   {
     Id chain;
     std::size_t i;
   };
   Point pointWith(Id number) const;
+  Id numberOf(const Point& point) const
+  {
+    return this->firstPoints_[point.chain] + static_cast<Id>(point.i);
+  }
+  /// The number of the first point at or behind a parameter of a chain.
+  Id pointAt(Id chain, double parameter) const;
   const CurveInChain& inChain(Id curve) const { return this->inChain_[curve]; }
   /// The length along a curve, from its first point to a parameter of its chain: from 0 to the
   /// curve's length, also if the parameter lies beside the curve.

@@ -115,9 +115,9 @@ void addEnd(const TriangleMesh& mesh, const CurveChains& chains, const CurveChai
     step.segment != None ? stepsOnward(mesh, curve, step, isForward) : std::vector<Step>();
   if (!steps.empty())
   {
-    ends.push_back({ curve.points[at.i], curve.points[step.to], curve.faces[step.segment], at.chain,
-      chains.parameters(at.chain)[at.i], isForward,
-      steps.size() > 1 ? onwardBehind(mesh, curve, steps) : FaceDirection() });
+    ends.push_back(
+      { curve.points[at.i], curve.points[step.to], curve.faces[step.segment], chains.numberOf(at),
+        isForward, steps.size() > 1 ? onwardBehind(mesh, curve, steps) : FaceDirection() });
   }
 }
 
@@ -135,8 +135,7 @@ CurvesOnPatch::CurvesOnPatch(const ReplicatedPatch& patch, const std::vector<Sou
     {
       if (curve.points[i].kind == SurfacePoint::Kind::Vertex)
       {
-        this->vertices_.push_back(
-          { curve.points[i].id, chain, i, this->chains_.parameters(chain)[i] });
+        this->vertices_.push_back({ curve.points[i].id, this->chains_.numberOf({ chain, i }) });
       }
     }
   }
@@ -149,9 +148,10 @@ const VertexOnCurve* CurvesOnPatch::find(Id vertex) const
   return i != NoId ? &this->vertices_[i] : nullptr;
 }
 
-std::vector<SegmentEnd> CurvesOnPatch::endsAt(const CurveChains::Point& at) const
+std::vector<SegmentEnd> CurvesOnPatch::endsAt(Id point) const
 {
   std::vector<SegmentEnd> ends;
+  const CurveChains::Point at = this->chains_.pointWith(point);
   addEnd(this->mesh(), this->chains_, at, true, ends);
   addEnd(this->mesh(), this->chains_, at, false, ends);
   return ends;
@@ -159,14 +159,14 @@ std::vector<SegmentEnd> CurvesOnPatch::endsAt(const CurveChains::Point& at) cons
 
 std::vector<SegmentEnd> CurvesOnPatch::endsAtVertex(Id vertex) const
 {
-  return this->ofAllCurvesAt(
-    vertex, [this](const CurveChains::Point& at) { return this->endsAt(at); });
+  return this->ofAllCurvesAt(vertex, &CurvesOnPatch::endsAt);
 }
 
 // Those of the last points at the place in both directions.
-std::vector<SegmentEnd> CurvesOnPatch::endsAtPlaceOf(const CurveChains::Point& at) const
+std::vector<SegmentEnd> CurvesOnPatch::endsAtPlaceOf(Id point) const
 {
   std::vector<SegmentEnd> ends;
+  const CurveChains::Point at = this->chains_.pointWith(point);
   const SourceCurve& curve = this->chains_.curves()[at.chain];
   for (const bool isForward : { true, false })
   {
@@ -177,21 +177,20 @@ std::vector<SegmentEnd> CurvesOnPatch::endsAtPlaceOf(const CurveChains::Point& a
 }
 
 // Several points of a curve may be at one vertex: their ends are the same.
-template <typename EndsAt>
-std::vector<SegmentEnd> CurvesOnPatch::ofAllCurvesAt(Id vertex, const EndsAt& endsAt) const
+std::vector<SegmentEnd> CurvesOnPatch::ofAllCurvesAt(Id vertex, EndsAtPoint endsAt) const
 {
   std::vector<SegmentEnd> ends;
   const auto range =
     std::equal_range(this->vertices_.begin(), this->vertices_.end(), VertexOnCurve{ vertex });
   for (auto on = range.first; on != range.second; ++on)
   {
-    const std::vector<SegmentEnd> added = endsAt(CurveChains::Point{ on->curve, on->i });
+    const std::vector<SegmentEnd> added = (this->*endsAt)(on->point);
     ends.insert(ends.end(), added.begin(), added.end());
   }
   const auto isLess = [](const SegmentEnd& a, const SegmentEnd& b)
   {
-    return std::make_tuple(a.face, a.to.members(), a.curve, a.parameter) <
-      std::make_tuple(b.face, b.to.members(), b.curve, b.parameter);
+    return std::make_tuple(a.face, a.to.members(), a.point) <
+      std::make_tuple(b.face, b.to.members(), b.point);
   };
   std::stable_sort(ends.begin(), ends.end(), isLess);
   const auto isSame = [&](const SegmentEnd& a, const SegmentEnd& b) { return !isLess(a, b); };
@@ -199,8 +198,9 @@ std::vector<SegmentEnd> CurvesOnPatch::ofAllCurvesAt(Id vertex, const EndsAt& en
   return ends;
 }
 
-const VertexOnCurve* CurvesOnPatch::vertexAtPlaceOf(const CurveChains::Point& at) const
+const VertexOnCurve* CurvesOnPatch::vertexAtPlaceOf(Id point) const
 {
+  const CurveChains::Point at = this->chains_.pointWith(point);
   const SourceCurve& curve = this->chains_.curves()[at.chain];
   const auto vertexOf = [&curve](std::size_t i)
   { return curve.points[i].kind == SurfacePoint::Kind::Vertex ? curve.points[i].id : NoId; };
@@ -215,16 +215,15 @@ const VertexOnCurve* CurvesOnPatch::vertexAtPlaceOf(const CurveChains::Point& at
   return vertex != NoId ? this->find(vertex) : nullptr;
 }
 
-PointOfSource CurvesOnPatch::placeOf(const CurveChains::Point& at) const
+PointOfSource CurvesOnPatch::placeOf(Id point) const
 {
-  if (const VertexOnCurve* on = this->vertexAtPlaceOf(at))
+  if (const VertexOnCurve* on = this->vertexAtPlaceOf(point))
   {
-    const auto endsAtPlace = [this](const CurveChains::Point& p) { return this->endsAtPlaceOf(p); };
-    return { SurfacePoint::atVertex(on->vertex), this->ofAllCurvesAt(on->vertex, endsAtPlace),
-      on->curve, on->parameter };
+    return { SurfacePoint::atVertex(on->vertex),
+      this->ofAllCurvesAt(on->vertex, &CurvesOnPatch::endsAtPlaceOf), on->point };
   }
-  return { this->chains_.curves()[at.chain].points[at.i], this->endsAtPlaceOf(at), at.chain,
-    this->chains_.parameters(at.chain)[at.i] };
+  const CurveChains::Point at = this->chains_.pointWith(point);
+  return { this->chains_.curves()[at.chain].points[at.i], this->endsAtPlaceOf(point), point };
 }
 
 SourceFrame CurvesOnPatch::frameOf(Id number) const
@@ -235,7 +234,8 @@ SourceFrame CurvesOnPatch::frameOf(Id number) const
   SourceFrame frame;
   if (part.begin == part.end)
   {
-    const FanAround::Axis axis = FanAround(mesh, this->placeOf({ part.chain, part.begin })).axis();
+    const FanAround::Axis axis =
+      FanAround(mesh, this->placeOf(this->chains_.numberOf({ part.chain, part.begin }))).axis();
     frame.x = inSpace(mesh, axis.halfedge, { axis.isAgainst ? -1.0 : 1.0, 0.0 });
     frame.y = inSpace(mesh, axis.halfedge, { 0.0, 1.0 });
   }

@@ -20,20 +20,17 @@ struct SourceFrame
   Vec3 normal = {};
 };
 
-/// A mesh vertex on a curve: the chain's number, the number of its point, and the point's
-/// parameter.
+/// A mesh vertex that is a point of a chain, and the number of this point (CurveChains).
 struct VertexOnCurve
 {
   Id vertex;
-  Id curve = 0;
-  std::size_t i = 0;
-  double parameter = 0.0;
+  Id point = NoId;
 
   bool operator<(const VertexOnCurve& other) const { return this->vertex < other.vertex; }
 };
 
 /// The curves of a source on their patch, joined to chains, and the mesh vertices on them. Several
-/// curves may meet in one vertex.
+/// curves may meet in one vertex. Points of chains go by their numbers (CurveChains).
 class CurvesOnPatch
 {
 public:
@@ -51,25 +48,25 @@ public:
   /// The ends of the segments that meet in a point of a chain: two inside the chain, one at its
   /// ends, none if the chain is a point. A segment without length, between points that differ by
   /// rounding, counts only if the chain continues from it across edges.
-  std::vector<SegmentEnd> endsAt(const CurveChains::Point& at) const;
+  std::vector<SegmentEnd> endsAt(Id point) const;
   /// The ends of all segments that meet in a vertex, of all curves.
   std::vector<SegmentEnd> endsAtVertex(Id vertex) const;
 
-  /// The vertex at the place of a chain's point: the point itself, or a vertex of the chain to
-  /// which segments without length lead. All segments at the place then bound the wedge of the
-  /// vertex. Null if there is no vertex.
-  const VertexOnCurve* vertexAtPlaceOf(const CurveChains::Point& at) const;
+  /// The vertex at the place of a chain's point: the point itself, or a vertex to which segments
+  /// without length lead along the chain. Null if there is none. Such points emit as one, from the
+  /// vertex.
+  const VertexOnCurve* vertexAtPlaceOf(Id point) const;
   /// A chain's point, or the vertex at its place, with the ends of all segments there: of all
   /// curves at a vertex, else of this chain.
-  PointOfSource placeOf(const CurveChains::Point& at) const;
+  PointOfSource placeOf(Id point) const;
 
   /// The frame of a single point, or of a curve at its first segment: NearestSource::frameOf().
   SourceFrame frameOf(Id curve) const;
 
 private:
-  std::vector<SegmentEnd> endsAtPlaceOf(const CurveChains::Point& at) const;
-  template <typename EndsAt>
-  std::vector<SegmentEnd> ofAllCurvesAt(Id vertex, const EndsAt& endsAt) const;
+  std::vector<SegmentEnd> endsAtPlaceOf(Id point) const;
+  using EndsAtPoint = std::vector<SegmentEnd> (CurvesOnPatch::*)(Id point) const;
+  std::vector<SegmentEnd> ofAllCurvesAt(Id vertex, EndsAtPoint endsAt) const;
 
   ReplicatedPatch patch_;
   CurveChains chains_;

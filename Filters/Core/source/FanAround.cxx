@@ -33,8 +33,8 @@ double angleInFace(Vec2 direction)
 
 FanAround::FanAround(const TriangleMesh& mesh, const PointOfSource& at)
   : mesh_(mesh)
-  , kind_(at.point.kind)
-  , own_{ at.curve, false, at.parameter }
+  , kind_(at.place.kind)
+  , own_{ at.point, false }
 {
   const auto addFace = [this](const SurfacePoint& point, Id face)
   {
@@ -43,7 +43,7 @@ FanAround::FanAround(const TriangleMesh& mesh, const PointOfSource& at)
       this->addFan(point, face);
     }
   };
-  forEachFace(mesh, at.point, [&](Id face) { addFace(at.point, face); });
+  forEachFace(mesh, at.place, [&](Id face) { addFace(at.place, face); });
   for (const SegmentEnd& end : at.ends)
   {
     addFace(end.from, end.face);
@@ -176,13 +176,12 @@ void FanAround::addEnd(const SegmentEnd& end)
   this->borders_.push_back(
     { { sector.fan, sector.part,
         this->sideAngle(sector, directionIn(this->mesh_, end, sector.halfedge)) },
-      { end.curve, end.isBeginning != sector.isMirrored, end.parameter },
-      { end.curve, end.isBeginning == sector.isMirrored, end.parameter } });
+      { end.point, end.isBeginning != sector.isMirrored },
+      { end.point, end.isBeginning == sector.isMirrored } });
 
   const Id longest = longestHalfedge(this->mesh_, end.face);
   const double angle = this->angleOf(longest, directionIn(this->mesh_, end, longest));
-  this->ends_.push_back(
-    { this->fans_[sector.fan].at(angle), end.curve, end.parameter, end.isBeginning });
+  this->ends_.push_back({ this->fans_[sector.fan].at(angle), end.point, end.isBeginning });
 }
 
 // At the segments themselves, and in the middle between consecutive ones.

@@ -13,17 +13,15 @@
 namespace geodesic
 {
 
-/// One side of a curve, at a parameter (CurveChains::parameters()).
+/// One side of a curve at one of its points, by its number (CurveChains).
 struct SideOfCurve
 {
-  Id curve = NoId;
+  Id point = NoId;
   bool isRight = false;
-  double parameter = 0.0;
 
   bool operator==(const SideOfCurve& other) const
   {
-    return this->curve == other.curve && this->isRight == other.isRight &&
-      this->parameter == other.parameter;
+    return this->point == other.point && this->isRight == other.isRight;
   }
   bool operator!=(const SideOfCurve& other) const { return !(*this == other); }
 };
@@ -31,26 +29,10 @@ struct SideOfCurve
 /// A point of the source, and the ends of all segments at its place.
 struct PointOfSource
 {
-  SurfacePoint point;
+  SurfacePoint place;
   std::vector<SegmentEnd> ends;
-  /// A curve through the point, and the parameter there.
-  Id curve = NoId;
-  double parameter = 0.0;
-};
-
-/// A corner of a vertex that a walk from face to face has come to across an edge.
-struct EnteredCorner
-{
-  Id corner;
-  /// The corner's other edge.
-  Id onward;
-
-  /// \param entered the edge's halfedge in the corner's face.
-  EnteredCorner(const TriangleMesh& mesh, Id vertex, Id entered)
-    : corner(mesh.origin(entered) == vertex ? entered : TriangleMesh::nextInFace(entered))
-    , onward(this->corner == entered ? TriangleMesh::previousInFace(entered) : this->corner)
-  {
-  }
+  /// The number of a curve's point there (CurveChains).
+  Id point = NoId;
 };
 
 /// The faces around a point of the source, laid out in fans: each face of a fan follows the one
@@ -134,8 +116,7 @@ private:
   struct End
   {
     double at = 0.0;
-    Id curve = NoId;
-    double parameter = 0.0;
+    Id point = NoId;
     bool isForward = true;
 
     bool operator<(const End& other) const { return this->at < other.at; }
@@ -143,8 +124,7 @@ private:
     double angle(bool isClockwise) const { return this->isForward ? 0.0 : isClockwise ? Pi : -Pi; }
     bool isContinuedBy(const End& other) const
     {
-      return this->curve == other.curve && this->parameter == other.parameter &&
-        this->isForward != other.isForward;
+      return this->point == other.point && this->isForward != other.isForward;
     }
   };
   /// An angle in a part of a fan.

@@ -77,7 +77,8 @@ struct PointEmitter
 {
   const TriangleMesh& mesh;
   const SourceInFace& source;
-  const EmittingPoint& from;
+  const CurveWedge& wedge;
+  const FanAround& fan;
   SourceWindows& result;
   /// The halfedges through which rays from beside an edge have entered faces: none twice, so
   /// recursion ends.
@@ -98,7 +99,7 @@ struct PointEmitter
     }
     const bool isNear = -p.y <= tolerance::NearEdge * length;
     Interval interval{ 0.0, length };
-    const auto bounds = this->from.wedge.equal_range(this->source.face);
+    const auto bounds = this->wedge.equal_range(this->source.face);
     for (auto bound = bounds.first; bound != bounds.second && !isNear; ++bound)
     {
       const Vec2 u = turned(this->mesh, bound->second, halfedge);
@@ -305,7 +306,7 @@ struct PointEmitter
   {
     const Id behind = this->mesh.acrossOriented(halfedge);
     return -point.y <= tolerance::PlaceRounding * this->mesh.length(halfedge) && behind != NoId &&
-      this->from.fan.hasFace(TriangleMesh::faceOf(behind));
+      this->fan.hasFace(TriangleMesh::faceOf(behind));
   }
 
   // Splits a window where its rays begin to belong to another curve, or to the other side of a
@@ -314,7 +315,7 @@ struct PointEmitter
   {
     const Window& w = leaving.window;
     std::vector<double> cuts = { w.begin };
-    for (const Vec2& change : this->from.fan.sideChangesIn(frame.leftThrough))
+    for (const Vec2& change : this->fan.sideChangesIn(frame.leftThrough))
     {
       const Vec2 u = frame.fromHalfedge(change);
       const double x = u.y > 0.0 ? w.sourceX + w.sourceDepth * u.x / u.y : w.begin;
@@ -338,30 +339,35 @@ struct PointEmitter
   void setOrigin(Window& window, const WindowFrame& frame, Vec2 ray) const
   {
     const Vec2 direction = frame.toHalfedge(ray);
-    const SideOfCurve at = this->from.fan.sideOf(frame.leftThrough, direction);
-    const bool isFaceMirrored = this->from.fan.isMirrored(TriangleMesh::faceOf(frame.leftThrough));
-    window.origin = RayOrigin::pointSide(this->from.chains.pointAt(at.curve, at.parameter),
-      at.isRight, isFaceMirrored != frame.isMirrored);
+    const SideOfCurve at = this->fan.sideOf(frame.leftThrough, direction);
+    const bool isFaceMirrored = this->fan.isMirrored(TriangleMesh::faceOf(frame.leftThrough));
+    window.origin = RayOrigin::pointSide(at.point, at.isRight, isFaceMirrored != frame.isMirrored);
     window.start = RayStart::atAngle(
-      this->from.fan.angleOf(frame.leftThrough, direction) - angleAround(window.origin, {}, ray));
+      this->fan.angleOf(frame.leftThrough, direction) - angleAround(window.origin, {}, ray));
   }
 };
 
 } // anonymous namespace
 
-void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source,
-  const EmittingPoint& from, SourceWindows& result)
+void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source, const CurveWedge& wedge,
+  const FanAround& fan, SourceWindows& result)
 {
-  PointEmitter emitter{ mesh, source, from, result, {} };
+  PointEmitter emitter{ mesh, source, wedge, fan, result, {} };
   std::array<bool, 3> isDone = {};
   for (const Id corner : TriangleMesh::halfedgesOf(source.face))
   {
+    const double weight = source.a[TriangleMesh::indexInFace(corner)];
+    if (weight == 1.0 || !(1.0 - weight < tolerance::NearVertex))
+    {
+      continue; // at the vertex, or not near
+    }
     const NearVertex near = nearVertexAt(mesh, corner, source.a);
-    if (near.hasFan() && near.distance > 0.0)
+    result.nearVertices.push_back(near);
+    if (near.hasFan())
     {
       const Id other = TriangleMesh::previousInFace(corner);
       const double turn = polarAngle(fromCorner(mesh, corner, source.a));
-      const bool isMirrored = from.fan.isMirrored(source.face);
+      const bool isMirrored = fan.isMirrored(source.face);
       if (!isOn(source.a, corner))
       {
         emitter.sendAround(

@@ -2,22 +2,12 @@
 #ifndef geodesic_PointWindows_h
 #define geodesic_PointWindows_h
 
-#include "source/CurveChains.h"
 #include "source/CurveWedge.h"
 #include "source/FanAround.h"
 #include "source/SourceWindows.h"
 
 namespace geodesic
 {
-
-/// A point of a source: the wedge into which it emits, and the fan that tells the side and the
-/// angle of each ray.
-struct EmittingPoint
-{
-  const CurveChains& chains;
-  const CurveWedge& wedge;
-  const FanAround& fan;
-};
 
 /// Adds the circular windows of a source's point through the halfedges of one face that contains
 /// it: rays into the wedge (paper, sections 4.1 and 4.2), one window per sector.
@@ -35,10 +25,12 @@ struct EmittingPoint
 /// go no further.
 ///
 /// \param source the point: both ends are equal.
+/// \param wedge into which it emits.
+/// \param fan around it, with the side and the angle of each ray.
 /// \param result also receives the vertices of these faces that are near the point
 ///        (tolerance::NearVertex).
-void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source,
-  const EmittingPoint& from, SourceWindows& result);
+void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source, const CurveWedge& wedge,
+  const FanAround& fan, SourceWindows& result);
 
 }
 

@@ -21,8 +21,8 @@ struct LocatedPlaces
   ClosestFaces faces;
 
   std::size_t indexOf(const Vec3& place) const { return indexIn(this->places, place); }
-  /// Sets the faces of polylines with these points, as faces of a patch that has them. A point that
-  /// is a vertex has a face there.
+  /// Sets the faces of polylines with these points, by their numbers on a patch. A point that is a
+  /// vertex gets one of the vertex's faces.
   void setFaces(const ReplicatedPatch& patch, std::vector<LocatedPolyline>& polylines) const;
 };
 

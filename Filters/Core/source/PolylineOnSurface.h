@@ -19,8 +19,8 @@ struct LocatedPolyline
   /// For each point the equally close faces, in order of preference: at least one, and several
   /// where the surface touches or overlaps itself.
   std::vector<std::vector<Id>> faces;
-  /// For each point the vertex that it is, also where several are at one place; NoId if its place
-  /// has to be found. Empty: for all points.
+  /// The vertex that each point is, which tells apart several at one place; NoId for points whose
+  /// place has to be found. Empty if all places have to be found.
   std::vector<Id> vertices = {};
   /// Whether the last point joins the first.
   bool closed = false;
@@ -36,8 +36,8 @@ struct LocatedPolyline
   {
     return this->pointNames.empty() ? this->name.part("point", i) : this->pointNames[i];
   }
-  /// The segment from point i to the next one. Of a line joined from several cells the point tells
-  /// which segment it is.
+  /// The segment from point i to the next one. In a line joined from several cells, point i's own
+  /// name tells where the segment is.
   std::string nameOfSegment(std::size_t i) const
   {
     return this->pointNames.empty() ? this->name.part("segment", i).withoutInput()
@@ -60,8 +60,8 @@ struct SourceCurves
   double snapDistance = 0.0;
   /// Number of omitted points, equal to their predecessors on the surface.
   Id repeatedPoints = 0;
-  /// For each of the curves the given segment to which each of its segments belongs. Curves that
-  /// were not polylines may follow.
+  /// For each segment of each curve that was a polyline: the given segment that it belongs to.
+  /// Other curves may follow these.
   std::vector<std::vector<SegmentOfPolyline>> given;
   /// The segments that are detours on the surface (tolerance::Detour), and the largest ratio of
   /// their lengths to the straight distances between their ends.

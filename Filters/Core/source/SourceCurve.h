@@ -44,9 +44,9 @@ inline SourceCurve pointCurve(const SurfacePoint& point)
   return { { point }, {}, { 0 } };
 }
 
-/// Adds the edges at which faces that a source covers meet others though none of its curves runs
-/// along: edges of three and more faces at which a region branches, and edges beside which its
-/// outline runs by a rounding. Each is a curve with the region to its left.
+/// Adds the edges between covered faces and others along which no curve of the source runs: edges
+/// of three and more faces at which a region branches, and edges that its outline misses by a
+/// rounding. Each becomes a curve with the region to its left.
 void addBordersWithoutCurves(const TriangleMesh& mesh, std::vector<SourceCurve>& curves);
 
 /// The length of the segment from point i to point i + 1 of a curve.
@@ -61,9 +61,9 @@ struct SegmentEnd
   SurfacePoint from;
   SurfacePoint to;
   Id face = NoId;
-  /// The curve's number, the end's parameter, and whether the curve runs away from the end.
-  Id curve = 0;
-  double parameter = 0.0;
+  /// The number of the end among the points of all chains (CurveChains), and whether the chain runs
+  /// away from the end.
+  Id point = 0;
   bool isBeginning = true;
   /// For a segment without length: the direction in its face in which the curve continues behind
   /// it.

@@ -101,18 +101,18 @@ private:
       // Faces at an edge of three and more faces see the curve bend.
       const bool straight =
         curve.isCut[i] && p.kind == SurfacePoint::Kind::Edge && this->mesh_.isInner(p.id);
-      const CurveChains::Point at = { chain, i };
+      const Id point = this->chains().numberOf({ chain, i });
       if (p.kind == SurfacePoint::Kind::Vertex)
       {
         continue; // see emitFromVertices()
       }
-      if (straight || this->curves_.vertexAtPlaceOf(at) != nullptr)
+      if (straight || this->curves_.vertexAtPlaceOf(point) != nullptr)
       {
         this->job_.look();
       }
       else
       {
-        this->emitFromPoint(at, this->curves_.endsAt(at));
+        this->emitFromPoint(point, this->curves_.endsAt(point));
       }
     }
   }
@@ -125,31 +125,31 @@ private:
       if (&v == this->curves_.find(v.vertex))
       {
         this->result_.vertices.push_back(v.vertex);
-        this->emitFromPoint({ v.curve, v.i }, this->curves_.endsAtVertex(v.vertex));
+        this->emitFromPoint(v.point, this->curves_.endsAtVertex(v.vertex));
       }
     }
   }
 
   /// \param ends of the segments that bound the point's wedge.
-  void emitFromPoint(const CurveChains::Point& at, const std::vector<SegmentEnd>& ends)
+  void emitFromPoint(Id point, const std::vector<SegmentEnd>& ends)
   {
     this->job_.look();
-    const PointOfSource place = this->curves_.placeOf(at);
-    const CurveWedge wedge = wedgeAround(this->mesh_, place.point, ends);
-    const FanAround fan(this->mesh_, place);
-    const EmittingPoint from = { this->chains(), wedge, fan };
-    forEachFace(this->mesh_, place.point,
+    const PointOfSource from = this->curves_.placeOf(point);
+    const CurveWedge wedge = wedgeAround(this->mesh_, from.place, ends);
+    const FanAround fan(this->mesh_, from);
+    const CurveChains::Point at = this->chains().pointWith(from.point);
+    const double parameter = this->chains().parameters(at.chain)[at.i];
+    forEachFace(this->mesh_, from.place,
       [&](Id face)
       {
         this->job_.look();
-        const Barycentric b = barycentric(this->mesh_, place.point, face);
-        const SourceInFace source = { face, b, b, place.curve, place.parameter, place.parameter };
-        if (place.point.kind != SurfacePoint::Kind::Vertex)
+        const Barycentric b = barycentric(this->mesh_, from.place, face);
+        const SourceInFace source = { face, b, b, at.chain, parameter, parameter };
+        if (from.place.kind != SurfacePoint::Kind::Vertex)
         {
           this->result_.inFaces.push_back(source);
-          this->findNearVertices(face, b);
         }
-        addPointWindows(this->mesh_, source, from, this->result_);
+        addPointWindows(this->mesh_, source, wedge, fan, this->result_);
       });
   }
 
@@ -197,18 +197,6 @@ private:
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   }
 
-  void findNearVertices(Id face, const Barycentric& b)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      if (1.0 - b[k] < tolerance::NearVertex)
-      {
-        this->result_.nearVertices.push_back(
-          nearVertexAt(this->mesh_, TriangleMesh::halfedgeOf(face, k), b));
-      }
-    }
-  }
-
   const TriangleMesh& mesh_;
   const std::vector<SourceCurve>& given_;
   const CurvesOnPatch curves_;
@@ -216,18 +204,38 @@ private:
   SourceWindows result_;
 };
 
+/// A halfedge of a patch in a rank's part; NoId if the part does not have its face.
+Id halfedgeOfPart(const MeshPartition& part, const ReplicatedPatch& patch, Id halfedge)
+{
+  const Id face = part.faceAt(patch.ownerOf(TriangleMesh::faceOf(halfedge)));
+  return face != NoId ? TriangleMesh::inCopy(halfedge, face) : NoId;
+}
+
+/// A vertex of a patch in a rank's part; NoId if it is none of the rank's own points.
+Id vertexOfPart(const MeshPartition& part, const ReplicatedPatch& patch, Id vertex)
+{
+  for (const Id corner : patch.mesh().cornersAt(vertex))
+  {
+    const Id there = halfedgeOfPart(part, patch, corner);
+    if (there != NoId && part.mesh().origin(there) < part.numberOfOwnVertices())
+    {
+      return part.mesh().origin(there);
+    }
+  }
+  return NoId;
+}
+
 /// Those windows whose halfedges a rank needs, with its numbers.
 ///
 /// \param isNeeded (Id halfedge) -> bool, with the rank's number.
 template <typename IsNeeded>
-std::vector<LeavingWindow> windowsOfPart(
-  const ReplicatedPatch& patch, const std::vector<LeavingWindow>& windows, const IsNeeded& isNeeded)
+std::vector<LeavingWindow> windowsOfPart(const MeshPartition& part, const ReplicatedPatch& patch,
+  const std::vector<LeavingWindow>& windows, const IsNeeded& isNeeded)
 {
   std::vector<LeavingWindow> result;
   for (const LeavingWindow& leaving : windows)
   {
-    const Id face = patch.faceOfPart(TriangleMesh::faceOf(leaving.halfedge));
-    const Id halfedge = face != NoId ? TriangleMesh::inCopy(leaving.halfedge, face) : NoId;
+    const Id halfedge = halfedgeOfPart(part, patch, leaving.halfedge);
     if (halfedge != NoId && isNeeded(halfedge))
     {
       result.push_back({ halfedge, leaving.window });
@@ -242,31 +250,32 @@ std::vector<LeavingWindow> windowsOfPart(
 
 /// Where a rank does not have the halfedge's face, nor its halo, it has no face at the vertex.
 std::vector<NearVertex> nearVerticesOfPart(
-  const ReplicatedPatch& patch, const std::vector<NearVertex>& vertices)
+  const MeshPartition& part, const ReplicatedPatch& patch, const std::vector<NearVertex>& vertices)
 {
   std::vector<NearVertex> result;
   for (NearVertex near : vertices)
   {
-    near.vertex = patch.vertexOfPart(near.vertex);
+    near.vertex = vertexOfPart(part, patch, near.vertex);
     if (near.vertex == NoId)
     {
       continue;
     }
-    const Id face = near.hasFan() ? patch.faceOfPart(TriangleMesh::faceOf(near.halfedge)) : NoId;
-    near.halfedge = face != NoId ? TriangleMesh::inCopy(near.halfedge, face) : NoId;
+    near.halfedge = near.hasFan() ? halfedgeOfPart(part, patch, near.halfedge) : NoId;
     result.push_back(near);
   }
   return result;
 }
 
-std::vector<Id> verticesOfPart(const ReplicatedPatch& patch, const std::vector<Id>& vertices)
+std::vector<Id> verticesOfPart(
+  const MeshPartition& part, const ReplicatedPatch& patch, const std::vector<Id>& vertices)
 {
   std::vector<Id> result;
   for (const Id vertex : vertices)
   {
-    if (patch.vertexOfPart(vertex) != NoId)
+    const Id there = vertexOfPart(part, patch, vertex);
+    if (there != NoId)
     {
-      result.push_back(patch.vertexOfPart(vertex));
+      result.push_back(there);
     }
   }
   std::sort(result.begin(), result.end());
@@ -286,14 +295,14 @@ SourceWindows makeSourceWindows(const MeshPartition& part, const ReplicatedPatch
 {
   const SourceWindows onPatch = makeSourceWindows(patch.mesh(), curves, job);
   SourceWindows result;
-  result.windows = windowsOfPart(patch, onPatch.windows,
+  result.windows = windowsOfPart(part, patch, onPatch.windows,
     [&](Id halfedge) { return part.isOwn(TriangleMesh::faceOf(halfedge)); });
   // Each rank learns all ways to a vertex itself, so that all choose among them alike.
-  result.toVertices = windowsOfPart(patch, onPatch.toVertices,
+  result.toVertices = windowsOfPart(part, patch, onPatch.toVertices,
     [&](Id halfedge) { return part.mesh().opposite(halfedge) < part.numberOfOwnVertices(); });
   for (const SourceInFace& source : onPatch.inFaces)
   {
-    const Id face = patch.faceOfPart(source.face);
+    const Id face = part.faceAt(patch.ownerOf(source.face));
     if (face != NoId)
     {
       std::vector<SourceInFace>& sources = part.isOwn(face) ? result.inFaces : result.inHalo;
@@ -301,8 +310,8 @@ SourceWindows makeSourceWindows(const MeshPartition& part, const ReplicatedPatch
       sources.back().face = face;
     }
   }
-  result.vertices = verticesOfPart(patch, onPatch.vertices);
-  result.nearVertices = nearVerticesOfPart(patch, onPatch.nearVertices);
+  result.vertices = verticesOfPart(part, patch, onPatch.vertices);
+  result.nearVertices = nearVerticesOfPart(part, patch, onPatch.nearVertices);
   return result;
 }
 

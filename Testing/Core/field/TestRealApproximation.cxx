@@ -47,7 +47,7 @@ protected:
   {
     if (GetParam().fromBoundary)
     {
-      return geodesic::boundaryCurves(engine);
+      return boundaryCurves(engine);
     }
     CurveMaker maker(mesh, random);
     return engineCurves(engine, { maker.walk(30), maker.straight(30) });

@@ -148,5 +148,5 @@ TEST_F(RealMeshes, BeetlesBoundaryAgreesWithBruteForce)
   const PlainMesh mesh = read("beetle-alt.obj");
   const geodesic::TriangleMesh engine = engineMesh(mesh);
   expectBruteForce(
-    mesh, geodesic::boundaryCurves(engine), boundarySources(engine), 1.0, mesh.points.size() / 3);
+    mesh, boundaryCurves(engine), boundarySources(engine), 1.0, mesh.points.size() / 3);
 }

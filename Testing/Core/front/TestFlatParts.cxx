@@ -103,7 +103,7 @@ TEST(FlatParts, PencilsStayWhole)
         << "vertex " << v;
     }
     const double windowsAnEdge =
-      static_cast<double>(field.windowsPropagated()) / static_cast<double>(mesh.numberOfEdges());
+      static_cast<double>(field.windowsPropagated()) / static_cast<double>(numberOfEdges(mesh));
     std::cout << "bend " << bend << ": " << windowsAnEdge << " windows an edge\n";
     EXPECT_LT(windowsAnEdge, 6.0) << "pieces of pencils go on as pencils of their own";
   }

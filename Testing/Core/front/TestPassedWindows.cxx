@@ -200,7 +200,7 @@ TEST(ThinFaces, OfStripsFewWindowsGoOn)
   options.relativeError = 1e-3;
   const DistanceField field =
     geodesic::solve(mesh, { geodesic::pointCurve(SurfacePoint::atVertex(0)) }, options);
-  EXPECT_LE(field.windowsPropagated(), 12U * mesh.numberOfEdges());
+  EXPECT_LE(field.windowsPropagated(), 12U * numberOfEdges(mesh));
 }
 
 namespace

@@ -126,7 +126,7 @@ public:
 
   std::vector<SourceCurve> curvesOn(const TriangleMesh& mesh) const
   {
-    return this->isBoundary_ ? geodesic::boundaryCurves(mesh) : curvesOnto(mesh, this->lines_);
+    return this->isBoundary_ ? boundaryCurves(mesh) : curvesOnto(mesh, this->lines_);
   }
 
   /// By brute force on the surface without faces that have no area.

@@ -51,7 +51,7 @@ void expectSiblingsAreEdges(const PlainMesh& plain)
     EXPECT_EQ(TriangleMesh::previousInFace(TriangleMesh::nextInFace(s)), s);
     edges[std::minmax(mesh.origin(s), mesh.destination(s))].insert(s);
   }
-  EXPECT_EQ(mesh.numberOfEdges(), edges.size());
+  EXPECT_EQ(numberOfEdges(mesh), edges.size());
   geodesic::Id nonManifold = 0;
   for (const auto& edge : edges)
   {

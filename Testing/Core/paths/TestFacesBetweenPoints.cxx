@@ -77,7 +77,8 @@ TEST_P(FacesBetweenPoints, HoldTheShortestPathOfTheWhole)
             rank.part, rank.patch, { lineThrough(rank.patch, { a, b }) }, DBL_EPSILON);
           const auto select = [&](const geodesic::SurfacePoint& p)
           {
-            const geodesic::Id face = rank.patch.faceOfPart(someFace(rank.patch.mesh(), p));
+            const geodesic::Id face =
+              rank.part.faceAt(rank.patch.ownerOf(someFace(rank.patch.mesh(), p)));
             if (face != geodesic::NoId && rank.part.isOwn(face))
             {
               faces.push_back(face);

@@ -331,7 +331,7 @@ TEST(AnglesAtBoundaries, AreNotScaled)
 {
   constexpr Index n = 8;
   const geodesic::TriangleMesh mesh = engineMesh(regularGrid(n, n));
-  const std::vector<geodesic::SourceCurve> loops = geodesic::boundaryCurves(mesh);
+  const std::vector<geodesic::SourceCurve> loops = boundaryCurves(mesh);
   ASSERT_EQ(loops.size(), 1U);
   const geodesic::DistanceField field =
     geodesic::solve(mesh, loops, FieldWithFeet::withAngles(), geodesic::KeepWindows::All);

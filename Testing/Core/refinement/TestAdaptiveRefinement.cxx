@@ -198,7 +198,7 @@ TEST(RefinementOfOneFace, SeesALocalMaximumInside)
 {
   const PlainMesh mesh = { { { 0, 0, 0 }, { 3, 0, 0 }, { 0, 4, 0 } }, { { 0, 1, 2 } } };
   const TriangleMesh engine = engineMesh(mesh);
-  const DistanceField field = solveKeepingAll(engine, geodesic::boundaryCurves(engine));
+  const DistanceField field = solveKeepingAll(engine, boundaryCurves(engine));
   Random random(1);
   for (const double tolerance : { 2.0, 0.5, 0.1, 0.01 })
   {

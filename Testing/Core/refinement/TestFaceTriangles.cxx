@@ -135,7 +135,7 @@ double refineAnySurface(Random& random)
   const TriangleMesh mesh = cleanedEngineMesh(plain);
   const auto curves = random.chance(0.5)
     ? engineCurves(mesh, Sources{ { vertexPoint(plain, 0) }, {} })
-    : geodesic::boundaryCurves(mesh);
+    : boundaryCurves(mesh);
   if (curves.empty())
   {
     return 0.0;

@@ -15,6 +15,7 @@ namespace
 {
 
 using namespace geodesic;
+using geodesictest::boundaryCurves;
 using geodesictest::engineMesh;
 using geodesictest::Index;
 using geodesictest::PlainMesh;

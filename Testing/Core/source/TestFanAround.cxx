@@ -27,13 +27,13 @@ namespace
 constexpr Index Sectors = 6;
 
 /// A segment of a curve from the centre of a disc into the face of a corner there.
-SegmentEnd segmentFromCentre(const TriangleMesh& mesh, Id corner, geodesic::Vec2 direction,
-  Id curve, double parameter, bool isBeginning)
+SegmentEnd segmentFromCentre(
+  const TriangleMesh& mesh, Id corner, geodesic::Vec2 direction, Id point, bool isBeginning)
 {
   const Id face = TriangleMesh::faceOf(corner);
   const SurfacePoint to =
     fromBarycentric(mesh, face, geodesic::fromHalfedgeFrame(mesh, corner, 0.3 * direction));
-  return { SurfacePoint::atVertex(0), to, face, curve, parameter, isBeginning };
+  return { SurfacePoint::atVertex(0), to, face, point, isBeginning };
 }
 
 /// A disc in which one face has the opposite orientation, and a segment that leaves its centre.
@@ -54,9 +54,9 @@ public:
   /// With a segment in a face, at a fraction of the face's angle from the corner's halfedge.
   FanAround sides(Index behindTurned, double fraction) const
   {
-    const SegmentEnd end = segmentFromCentre(this->mesh_, this->corner(behindTurned),
-      direction(fraction), Left.curve, Left.parameter, true);
-    return { this->mesh_, { SurfacePoint::atVertex(0), { end }, Own.curve, Own.parameter } };
+    const SegmentEnd end = segmentFromCentre(
+      this->mesh_, this->corner(behindTurned), direction(fraction), Left.point, true);
+    return { this->mesh_, { SurfacePoint::atVertex(0), { end }, Own.point } };
   }
   static geodesic::Vec2 direction(double fraction)
   {
@@ -64,9 +64,9 @@ public:
   }
 
   static constexpr double Angle = geodesic::Pi / 3.0;
-  static constexpr SideOfCurve Own = { 7, false, 2.5 };
-  static constexpr SideOfCurve Left = { 3, false, 1.5 };
-  static constexpr SideOfCurve Right = { 3, true, 1.5 };
+  static constexpr SideOfCurve Own = { 7, false };
+  static constexpr SideOfCurve Left = { 3, false };
+  static constexpr SideOfCurve Right = { 3, true };
 
 private:
   static PlainMesh withTurned(Index face)
@@ -220,28 +220,26 @@ TEST(FanAround, AnglesAreScaledBetweenEndsThatContinueEachOtherOnly)
     const Id corner = mesh.cornerAt(sector, 0);
     return std::make_pair(corner, geodesic::Vec2{ std::cos(turn), std::sin(turn) });
   };
-  const auto end = [&](double angle, Id curve, double parameter, bool isBeginning)
+  const auto end = [&](double angle, Id point, bool isBeginning)
   {
     const auto [corner, direction] = directionOf(angle);
-    return segmentFromCentre(mesh, corner, direction, curve, parameter, isBeginning);
+    return segmentFromCentre(mesh, corner, direction, point, isBeginning);
   };
-  const std::vector<SegmentEnd> one = { end(200, 0, 0.7, false), end(340, 0, 0.7, true) };
-  const std::vector<SegmentEnd> twoThatCross = { end(200, 1, 0.7, false), end(250, 0, 0.7, false),
-    end(290, 1, 0.7, true), end(340, 0, 0.7, true) };
-  const std::vector<SegmentEnd> oneThatCrossesItself = { end(200, 0, 2.7, false),
-    end(250, 0, 0.7, false), end(290, 0, 2.7, true), end(340, 0, 0.7, true) };
+  const std::vector<SegmentEnd> one = { end(200, 0, false), end(340, 0, true) };
+  // Of two curves, or of one that crosses itself.
+  const std::vector<SegmentEnd> crossing = { end(200, 1, false), end(250, 0, false),
+    end(290, 1, true), end(340, 0, true) };
   for (const double turn : { 20.0, 70.0, 100.0, 120.0, 200.0 })
   {
     SCOPED_TRACE(turn);
     const auto angleAmong = [&](const std::vector<SegmentEnd>& ends)
     {
-      const FanAround around(mesh, { SurfacePoint::atVertex(0), ends, 0, 0.7 });
+      const FanAround around(mesh, { SurfacePoint::atVertex(0), ends, 0 });
       const auto [corner, direction] = directionOf(std::fmod(340.0 + turn, 360.0));
       return around.angleFromCurve(around.angleOf(corner, direction)) / degree;
     };
     const double ofNearer = turn < 110.0 ? turn : 180.0 - (220.0 - turn);
     EXPECT_NEAR(angleAmong(one), turn * 180.0 / 220.0, 1e-9);
-    EXPECT_NEAR(angleAmong(twoThatCross), ofNearer, 1e-9);
-    EXPECT_NEAR(angleAmong(oneThatCrossesItself), ofNearer, 1e-9);
+    EXPECT_NEAR(angleAmong(crossing), ofNearer, 1e-9);
   }
 }

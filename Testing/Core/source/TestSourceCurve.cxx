@@ -16,6 +16,7 @@ namespace
 {
 
 using namespace geodesic;
+using geodesictest::boundaryCurves;
 using geodesictest::engineMesh;
 using geodesictest::MeshPoint;
 using geodesictest::PlainMesh;
