@@ -59,6 +59,7 @@ public:
     this->front_.retention.start(this->front_.districtNumbers.most(), sources.inFaces);
     this->addSources(sources.inFaces);
     this->addSources(sources.inHalo);
+    this->chooseDistricts(Infinity); // any may have got distances or windows
     this->receive();
     return true;
   }
@@ -78,16 +79,15 @@ public:
   {
     while (this->next_.least <= limit && this->next_.least < Infinity)
     {
-      this->front_.key = std::max(this->front_.key, this->next_.least);
+      this->front_.batch.key = std::max(this->front_.batch.key, this->next_.least);
       if (this->hasAllNeeded())
       {
         return;
       }
-      const double last = std::min(limit, this->next_.last);
-      this->runBatch(last,
-        [this, last](District& district)
+      this->runBatch(std::min(limit, this->next_.last),
+        [this](District& district)
         {
-          district.schedule.takeBatch(last, district.batch);
+          district.schedule.takeBatch(district.batch);
           this->front_.districtNumbers.sort(district.batch);
         });
     }
@@ -147,7 +147,22 @@ private:
   template <typename Take>
   void runBatch(double last, const Take& take)
   {
-    ++this->front_.batch;
+    ++this->front_.batch.number;
+    this->front_.batch.last = last;
+    this->chooseDistricts(last);
+    this->inActiveDistricts(
+      [&](FrontWorker& worker, District& district)
+      {
+        take(district);
+        processBatch(this->front_, worker, district);
+      });
+    this->receive();
+    this->report();
+  }
+
+  // Chooses the districts with vertices up to a distance for the next step; all if it is infinite.
+  void chooseDistricts(double last)
+  {
     this->active_.clear();
     for (const District& district : this->front_.districts)
     {
@@ -156,15 +171,6 @@ private:
         this->active_.push_back(district.number);
       }
     }
-    this->inActiveDistricts(
-      [&](FrontWorker& worker, District& district)
-      {
-        take(district);
-        this->front_.mailboxes.notify(district.number);
-        processBatch(this->front_, worker, district);
-      });
-    this->receive();
-    this->report();
   }
 
   // At each hundredth of the way, and where that takes long, in between.
@@ -184,7 +190,7 @@ private:
   void receive()
   {
     this->ranks_.exchangeLists();
-    this->front_.mailboxes.takeReceivers(this->active_);
+    this->front_.mailboxes.deliver(this->active_);
     this->inActiveDistricts([this](FrontWorker& worker, District& district)
       { receiveMail(this->front_, worker, district); });
     this->finishBatch();
@@ -196,11 +202,7 @@ private:
   {
     this->workers_.run(this->active_.size(),
       [&](FrontWorker& worker, std::size_t i)
-      {
-        District& district = this->front_.districts[this->active_[i]];
-        district.schedule.moveOn(this->front_.key);
-        task(worker, district);
-      });
+      { task(worker, this->front_.districts[this->active_[i]]); });
   }
 
   // The work of a batch outside of the districts.
@@ -229,9 +231,6 @@ private:
     }
     this->findNextBatch();
     this->front_.retention.advance(this->state());
-    this->front_.longestPath =
-      std::min(this->front_.longestPath, this->front_.retention.longestPath());
-    this->neededDistance_ = this->ranks_.neededDistance();
     this->fitDistricts();
   }
 
@@ -267,7 +266,6 @@ private:
     for (const DistanceUpdate& update : this->ranks_.exchangeArrivals(this->next_))
     {
       District& district = this->front_.districtOf(update.vertex);
-      district.schedule.moveOn(this->front_.key);
       acceptUpdate(this->front_, district, update);
       this->reportShortened(district);
       district.next = district.schedule.outlook();
@@ -278,7 +276,7 @@ private:
   {
     this->pools_.clear();
     this->workers_.forEach([this](FrontWorker& worker) { this->pools_.push_back(&worker.pool); });
-    return { this->front_.key, this->batch_, this->vertices().distances(),
+    return { this->front_.batch.key, this->batch_, this->vertices().distances(),
       this->vertices().processed(), this->pools_ };
   }
 
@@ -288,7 +286,7 @@ private:
   {
     const Id vertices = std::max<Id>(this->front_.mesh.numberOfVertices(), 1);
     const double settled = static_cast<double>(this->settled_) / static_cast<double>(vertices);
-    return std::max(settled, this->front_.key / this->front_.options.maximumDistance);
+    return std::max(settled, this->front_.batch.key / this->front_.options.maximumDistance);
   }
 
   // Whether nothing within the distance that the retention needs is left to do. Windows within it
@@ -296,8 +294,9 @@ private:
   // that distances within it have the bits of a front that goes everywhere.
   bool hasAllNeeded()
   {
-    return this->front_.key > this->neededDistance_ &&
-      !this->exchange().isTrueAnywhere(this->within_.isAny(this->neededDistance_));
+    const double needed = this->ranks_.neededDistance();
+    return this->front_.batch.key > needed &&
+      !this->exchange().isTrueAnywhere(this->within_.isAny(needed));
   }
 
   // A face that contains a point within the limit has exact values when no waiting window and no
@@ -351,10 +350,8 @@ private:
   std::size_t settled_ = 0;
   /// Districts that work in the current step.
   std::vector<Id> active_;
-  /// The next batch over all districts and ranks, and the largest distance that their retentions
-  /// need.
+  /// The next batch over all districts and ranks.
   VertexSchedule::Outlook next_;
-  double neededDistance_ = Infinity;
   std::vector<WindowPool*> pools_;
   /// See report().
   double reported_ = 0.0;

@@ -23,10 +23,9 @@ namespace geodesic
 /// them. Only one task at a time works on it.
 struct District
 {
-  District(Id itsNumber, VertexStates& states, const MeshPartition& surface)
+  District(Id itsNumber, VertexStates& states, const Batch& itsBatch)
     : number(itsNumber)
-    , schedule(states)
-    , toRanks(surface)
+    , schedule(states, itsBatch)
   {
   }
 
@@ -45,8 +44,9 @@ struct District
   std::vector<Id> shortened;
   /// With a distance limit: halfedges with windows within it.
   std::vector<Id> withinLimit;
-
-  MailToRanks toRanks;
+  /// Lists for faces that other ranks own, and distances found in the second step of a batch, which
+  /// other ranks need; nothing in one process.
+  MailBatch toRanks;
 };
 
 /// The state of the front, which the tasks of a batch share. A task writes only to its district and
@@ -65,7 +65,6 @@ struct FrontContext
     , complete(surface, options.maximumDistance)
     , mailboxes(districtNumbers.most())
     , mostFaces(std::min(surface.numberOfGlobalFaces(), MaximumFacesCrossed))
-    , longestPath(options.corridor != nullptr ? options.corridor->length : Infinity)
   {
     this->districtNumbers.join(this->options.job.sharing() == Job::Sharing::WherePaying);
     this->makeDistricts();
@@ -102,10 +101,9 @@ struct FrontContext
   /// \param processed the vertices processed since the last start.
   void restart(const std::vector<Id>& processed, WindowPool& pool)
   {
-    this->key = 0.0;
+    this->batch.key = 0.0;
     for (District& district : this->districts)
     {
-      district.schedule.restart();
       district.passed.letGo([](Id) { return false; }, pool);
     }
     for (const Id vertex : processed)
@@ -121,7 +119,19 @@ struct FrontContext
   {
     return this->options.corridor != nullptr &&
       this->vertices.distance(vertex) + this->options.corridor->lowerBounds[vertex] >
-      this->longestPath;
+      this->options.corridor->length;
+  }
+
+  /// Whether windows that come to a halfedge can still be shorter than paths by way of the vertex
+  /// opposite. What comes from now on is seldom shorter than the key. Where paths by way of that
+  /// vertex are as short as the key everywhere on the halfedge, nothing gains but windows that have
+  /// waited for a far vertex. Only the vertex's own district may ask: another may be shortening
+  /// the distances of the halfedge's ends, so these are not read.
+  bool canGainOn(Id halfedge) const
+  {
+    const double toFartherEnd = std::max(this->mesh.length(TriangleMesh::nextInFace(halfedge)),
+      this->mesh.length(TriangleMesh::previousInFace(halfedge)));
+    return this->batch.key <= this->vertices.distance(this->mesh.opposite(halfedge)) + toFartherEnd;
   }
 
   bool isInThinFace(Id halfedge) const
@@ -134,6 +144,7 @@ struct FrontContext
   const FrontOptions& options;
   Retention& retention;
 
+  Batch batch;
   Districts districtNumbers;
   VertexStates vertices;
   /// Whether each face belongs to the source as a whole, so that no window enters it; empty if none
@@ -145,12 +156,6 @@ struct FrontContext
 
   /// The largest number of faces that a shortest path can cross.
   Id mostFaces;
-  /// The number of the current batch.
-  Id batch = 0;
-  /// FrontState::key
-  double key = 0.0;
-  /// The longest path that is looked for in the corridor.
-  double longestPath;
 
 private:
   void makeDistricts()
@@ -159,7 +164,7 @@ private:
     this->districts.reserve(this->districtNumbers.size());
     for (Id number = 0; number < this->districtNumbers.size(); ++number)
     {
-      this->districts.emplace_back(number, this->vertices, this->surface);
+      this->districts.emplace_back(number, this->vertices, this->batch);
     }
   }
 };

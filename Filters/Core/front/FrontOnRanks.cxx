@@ -21,6 +21,38 @@ void FrontOnRanks::addUpdate(const DistanceUpdate& update)
   }
 }
 
+template <typename Accept>
+void FrontOnRanks::step(std::vector<double>& least, const Accept& accept)
+{
+  Exchange& exchange = this->surface_.exchange();
+  std::vector<Message> messages = exchange.noMessages();
+  messages.swap(this->messages_);
+  std::vector<Window> windows;
+  readEach(exchange.step(std::move(messages), least),
+    [&](int sender, MessageReader& reader)
+    {
+      const Id halfedge = reader.get<Id>();
+      if (halfedge != NoId)
+      {
+        windows.resize(reader.get<std::uint32_t>());
+        reader.get(windows.data(), windows.size());
+        const Id receiver = this->front_.districtNumbers.of(this->front_.mesh.opposite(halfedge));
+        this->front_.mailboxes.fromRanks(true, receiver)
+          .lists.push_back(
+            { halfedge, this->pool_.copyOf({ windows.data(), windows.data() + windows.size() }) });
+        return;
+      }
+      auto update = reader.get<DistanceUpdate>();
+      Id& through = update.from.halfedge;
+      if (through != NoId) // in a face of the sender, of which this rank has a copy
+      {
+        const Id copy = this->surface_.faceAt({ sender, TriangleMesh::faceOf(through) });
+        through = TriangleMesh::inCopy(through, copy);
+      }
+      accept(update, sender > exchange.rank());
+    });
+}
+
 void FrontOnRanks::exchangeLists()
 {
   if (!this->surface_.isDistributed())
@@ -45,20 +77,12 @@ void FrontOnRanks::exchangeLists()
       });
   }
   std::vector<double> nothing;
-  const Received received = this->step(nothing);
-  for (const bool areHigher : { false, true })
-  {
-    for (const DistanceUpdate& update : received.updates[areHigher ? 1 : 0])
+  this->step(nothing,
+    [&](const DistanceUpdate& update, bool isOfHigherRank)
     {
-      mailboxes.fromRanks(areHigher, this->front_.districtNumbers.of(update.vertex))
+      mailboxes.fromRanks(isOfHigherRank, this->front_.districtNumbers.of(update.vertex))
         .updates.push_back(update);
-    }
-  }
-  for (const HalfedgeList& list : received.lists)
-  {
-    const Id receiver = this->front_.districtNumbers.of(this->front_.mesh.opposite(list.halfedge));
-    mailboxes.fromRanks(true, receiver).lists.push_back(list);
-  }
+    });
 }
 
 std::vector<DistanceUpdate> FrontOnRanks::exchangeArrivals(VertexSchedule::Outlook& next)
@@ -69,19 +93,18 @@ std::vector<DistanceUpdate> FrontOnRanks::exchangeArrivals(VertexSchedule::Outlo
   }
   for (District& district : this->front_.districts)
   {
-    for (const DistanceUpdate& arrival : district.toRanks.arrivals)
+    for (const DistanceUpdate& arrival : district.toRanks.updates)
     {
       this->addUpdate(arrival);
     }
-    district.toRanks.arrivals.clear();
+    district.toRanks.updates.clear();
   }
   std::vector<double> least = { next.least, next.last, -this->front_.retention.neededDistance() };
-  Received received = this->step(least);
+  std::vector<DistanceUpdate> updates;
+  this->step(least, [&updates](const DistanceUpdate& update, bool) { updates.push_back(update); });
   next = { least[0], least[1] };
   this->neededDistance_ = -least[2];
-  std::vector<DistanceUpdate>& updates = received.updates[0];
-  updates.insert(updates.end(), received.updates[1].begin(), received.updates[1].end());
-  return std::move(updates);
+  return updates;
 }
 
 double FrontOnRanks::neededDistance() const
@@ -164,37 +187,6 @@ void FrontOnRanks::addList(const HalfedgeList& list)
   put(message, list.windows.size);
   put(message, list.windows.data, list.windows.size);
   this->pool_.free(list.windows);
-}
-
-FrontOnRanks::Received FrontOnRanks::step(std::vector<double>& least)
-{
-  Exchange& exchange = this->surface_.exchange();
-  std::vector<Message> messages = exchange.noMessages();
-  messages.swap(this->messages_);
-  Received received;
-  std::vector<Window> windows;
-  readEach(exchange.step(std::move(messages), least),
-    [&](int sender, MessageReader& reader)
-    {
-      const Id halfedge = reader.get<Id>();
-      if (halfedge != NoId)
-      {
-        windows.resize(reader.get<std::uint32_t>());
-        reader.get(windows.data(), windows.size());
-        received.lists.push_back(
-          { halfedge, this->pool_.copyOf({ windows.data(), windows.data() + windows.size() }) });
-        return;
-      }
-      auto update = reader.get<DistanceUpdate>();
-      Id& through = update.from.halfedge;
-      if (through != NoId) // in a face of the sender, of which this rank has a copy
-      {
-        const Id copy = this->surface_.faceAt({ sender, TriangleMesh::faceOf(through) });
-        through = TriangleMesh::inCopy(through, copy);
-      }
-      received.updates[sender > exchange.rank() ? 1 : 0].push_back(update);
-    });
-  return received;
 }
 
 }

@@ -5,7 +5,6 @@
 #include "front/FrontContext.h"
 #include "mesh/MeshPartition.h"
 
-#include <array>
 #include <vector>
 
 namespace geodesic
@@ -56,16 +55,11 @@ public:
   void completeHalo(std::vector<double>& distances);
 
 private:
-  /// What an exchange has received: lists in the order of the ranks, in blocks of the pool, and
-  /// distances of the lower and of the higher ranks.
-  struct Received
-  {
-    std::vector<HalfedgeList> lists;
-    std::array<std::vector<DistanceUpdate>, 2> updates;
-  };
-
   void addList(const HalfedgeList& list);
-  Received step(std::vector<double>& least);
+  /// Exchanges the messages, and calls accept(const DistanceUpdate&, bool isOfHigherRank) for the
+  /// distances of other ranks, in the order of the ranks. Lists go to the mailboxes.
+  template <typename Accept>
+  void step(std::vector<double>& least, const Accept& accept);
 
   FrontContext& front_;
   const MeshPartition& surface_;

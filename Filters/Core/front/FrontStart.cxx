@@ -14,9 +14,7 @@ namespace
 
 void shorten(FrontContext& front, const DistanceUpdate& update)
 {
-  District& district = front.districtOf(update.vertex);
-  acceptUpdate(front, district, update);
-  front.mailboxes.notify(district.number);
+  acceptUpdate(front, front.districtOf(update.vertex), update);
 }
 
 void startVertices(FrontContext& front, const SourceWindows& sources)
@@ -111,7 +109,6 @@ void sendFirstWindows(FrontContext& front, FrontWorker& worker, std::vector<Leav
   {
     District& sender = front.districtOf(front.mesh.origin(leaving.halfedge));
     sendWindows(front, worker, sender, leaving.halfedge, { &leaving.window, &leaving.window + 1 });
-    front.mailboxes.notify(sender.number);
   }
 }
 

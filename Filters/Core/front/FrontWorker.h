@@ -62,6 +62,7 @@ public:
     : job_(job)
     , slots_(job.isParallel() ? MostThreads : 1)
   {
+    this->slots_.front().wasUsed = true;
   }
 
   /// The worker for work outside of tasks.
@@ -71,9 +72,12 @@ public:
   template <typename Visit>
   void forEach(Visit&& visit)
   {
-    for (std::size_t i = 0; i < this->end_; ++i)
+    for (WorkerSlot& slot : this->slots_)
     {
-      visit(this->slots_[i].worker);
+      if (slot.wasUsed)
+      {
+        visit(slot.worker);
+      }
     }
   }
 
@@ -112,6 +116,8 @@ private:
   struct alignas(64) WorkerSlot
   {
     FrontWorker worker;
+    /// Whether a task has used it; read between runs.
+    bool wasUsed = false;
     std::atomic<bool> isTaken{ false };
   };
 
@@ -127,10 +133,7 @@ private:
         last = (last + 1) % workers.slots_.size();
       }
       this->slot_ = &workers.slots_[last];
-      std::size_t end = workers.end_.load(std::memory_order_relaxed);
-      while (end <= last && !workers.end_.compare_exchange_weak(end, last + 1))
-      {
-      }
+      this->slot_->wasUsed = true;
     }
     ~SlotLock() { this->slot_->isTaken.store(false, std::memory_order_release); }
     SlotLock(const SlotLock&) = delete;
@@ -144,8 +147,6 @@ private:
 
   const Job& job_;
   std::vector<WorkerSlot> slots_;
-  /// One more than the number of the last worker that was used.
-  std::atomic<std::size_t> end_{ 1 };
 };
 
 }

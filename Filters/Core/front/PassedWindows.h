@@ -17,7 +17,8 @@ namespace geodesic
 /// What has gone through halfedges to which windows come again and again: an upper bound of the
 /// distance on their edges. A window that comes later is cut by it before it goes on. MMP
 /// (Mitchell, Mount and Papadimitriou 1987) keeps all windows of all halfedges for that; on rough
-/// surfaces a few do nearly as much. What is not here costs work only.
+/// surfaces a few do nearly as much. A forgotten window costs work, not
+/// correctness.
 class PassedWindows
 {
 public:

@@ -177,7 +177,7 @@ void retire(FrontContext& front, FrontWorker& worker, District& district, const 
   {
     district.withinLimit.push_back(list.halfedge);
   }
-  front.retention.pass(district.number, list, front.batch, worker.pool);
+  front.retention.pass(district.number, list, front.batch.number, worker.pool);
 }
 
 // Remembers a list that passes, if others may come to the halfedge and can still gain there. Where
@@ -187,10 +187,9 @@ void remember(FrontContext& front, FrontWorker& worker, District& district, Id h
   const WindowRange& passed)
 {
   const VertexState& apex = front.vertices[front.mesh.opposite(halfedge)];
-  if ((apex.isProcessedOften() || front.isInThinFace(halfedge)) &&
-    canGainOn(front, district, halfedge))
+  if ((apex.isProcessedOften() || front.isInThinFace(halfedge)) && front.canGainOn(halfedge))
   {
-    const auto isNeeded = [&](Id other) { return canGainOn(front, district, other); };
+    const auto isNeeded = [&front](Id other) { return front.canGainOn(other); };
     district.passed.add(halfedge, front.mesh.length(halfedge), passed, worker.merged, worker.pool,
       std::cref(isNeeded));
   }
@@ -251,9 +250,10 @@ void passThroughFace(
 // Merging lists may shorten the way to their apex. So within an error, a vertex settles in the
 // batch after the one in which they pass, at the distance found meanwhile, also on other ranks.
 // Settled at once, every second vertex would settle again.
-bool settlesNow(FrontContext& front, const VertexState& state, double last)
+bool settlesNow(FrontContext& front, const VertexState& state)
 {
-  return state.distance <= last && (state.hasPassed || !(front.options.relativeError > 0.0));
+  return state.distance <= front.batch.last &&
+    (state.hasPassed || !(front.options.relativeError > 0.0));
 }
 
 // What a vertex that the front has reached does when its lists have passed.
@@ -277,9 +277,9 @@ void finishReached(FrontContext& front, District& district, Id vertex)
 // Lists in thin faces pass when they are due, whether or not the front has reached the vertex.
 void processVertex(FrontContext& front, FrontWorker& worker, District& district, Id vertex)
 {
-  const double last = district.schedule.last();
+  const double last = front.batch.last;
   VertexState& state = front.vertices[vertex];
-  if (settlesNow(front, state, last))
+  if (settlesNow(front, state))
   {
     settle(front, worker, district, vertex);
   }
@@ -325,7 +325,7 @@ bool isOutsideCorridor(const FrontContext& front, Id halfedge, const WindowRange
   const double atOrigin = bounds[front.mesh.origin(halfedge)];
   const double atDestination = bounds[front.mesh.destination(halfedge)];
   const double left = 0.5 * (atOrigin + atDestination - front.mesh.length(halfedge));
-  return leastDistance(windows) + left > front.longestPath;
+  return leastDistance(windows) + left > front.options.corridor->length;
 }
 
 } // anonymous namespace

@@ -60,7 +60,7 @@ void receiveList(FrontContext& front, FrontWorker& worker, District& district, H
 {
   const Id apex = front.mesh.opposite(sent.halfedge);
   VertexState& state = front.vertices[apex];
-  if (state.isBusy() && canGainOn(front, district, sent.halfedge))
+  if (state.isBusy() && front.canGainOn(sent.halfedge))
   {
     cutByPassed(front, worker, sent);
     if (sent.windows.size == 0)
@@ -75,7 +75,10 @@ void receiveList(FrontContext& front, FrontWorker& worker, District& district, H
   {
     const DistanceUpdate arrival = arrivalThrough(front, sent.halfedge, apexAt, found);
     acceptUpdate(front, district, arrival);
-    district.toRanks.addArrival(arrival);
+    if (front.surface.isDistributed())
+    {
+      district.toRanks.updates.push_back(arrival);
+    }
   }
   worker.propagated += sent.windows.size;
   worker.look(front.options.job, sent.windows.size);
@@ -111,18 +114,21 @@ void receiveLists(FrontContext& front, FrontWorker& worker, District& district,
 
 void receiveMail(FrontContext& front, FrontWorker& worker, District& district)
 {
+  std::vector<MailBatch*>& inbox = front.mailboxes.inbox(district.number);
   // Distances first: they may make lists needless.
-  front.mailboxes.forEach(district.number,
-    [&](const MailBatch& mail)
+  for (const MailBatch* mail : inbox)
+  {
+    for (const DistanceUpdate& update : mail->updates)
     {
-      for (const DistanceUpdate& update : mail.updates)
-      {
-        acceptUpdate(front, district, update);
-      }
-    });
-  front.mailboxes.forEach(district.number,
-    [&](const MailBatch& mail) { receiveLists(front, worker, district, mail.lists); });
-  front.mailboxes.clear(district.number);
+      acceptUpdate(front, district, update);
+    }
+  }
+  for (MailBatch* mail : inbox)
+  {
+    receiveLists(front, worker, district, mail->lists);
+    mail->clear();
+  }
+  inbox.clear();
   district.next = district.schedule.outlook();
 }
 
@@ -158,18 +164,6 @@ DistanceUpdate arrivalThrough(
     update.from.start = w.startOf({ x, 0.0 });
   }
   return update;
-}
-
-// What comes from now on is seldom shorter than the key. Where paths by way of the apex are as
-// short as the key everywhere on the halfedge, nothing gains there but windows that have waited for
-// a far vertex. The apex is the district's own; another district may be shortening the distances of
-// the halfedge's ends.
-bool canGainOn(const FrontContext& front, const District& district, Id halfedge)
-{
-  const double toFartherEnd = std::max(front.mesh.length(TriangleMesh::nextInFace(halfedge)),
-    front.mesh.length(TriangleMesh::previousInFace(halfedge)));
-  return district.schedule.key() <=
-    front.vertices.distance(front.mesh.opposite(halfedge)) + toFartherEnd;
 }
 
 }

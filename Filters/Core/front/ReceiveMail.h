@@ -18,10 +18,6 @@ void acceptUpdate(FrontContext& front, District& district, const DistanceUpdate&
 DistanceUpdate arrivalThrough(
   const FrontContext& front, Id halfedge, Vec2 apex, const ApexDistance& path);
 
-/// Whether windows that come to a halfedge opposite a vertex of the district can still be shorter
-/// than paths by way of that vertex.
-bool canGainOn(const FrontContext& front, const District& district, Id halfedge);
-
 }
 
 #endif

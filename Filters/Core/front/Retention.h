@@ -88,8 +88,6 @@ public:
   /// front that goes everywhere. The value may decrease as the front proceeds. Unlike with a
   /// distance limit, faces need not be complete.
   virtual double neededDistance() const { return Infinity; }
-  /// In a corridor: a path that is longer is not looked for. May fall as the front goes on.
-  virtual double longestPath() const { return Infinity; }
   /// Called before sources start, with the number of districts and the sources inside faces.
   virtual void start(std::size_t, const std::vector<SourceInFace>&) {}
   /// Takes over a list. Its block now belongs to the retention; the pool is the calling task's.

@@ -90,23 +90,20 @@ Continuation continueAcross(const TriangleMesh& mesh, Id vertex, Id edge, Vec2 a
     {
       return { Found::No, {}, 0.0 };
     }
-    const Id face = TriangleMesh::faceOf(other);
-    const FaceShape& shape = mesh.shape(face);
+    const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(other));
     if (mesh.nextSibling(other) != edge || !(shape.area2 > 0.0))
     {
       return {};
     }
-    const Id across = TriangleMesh::indexInFace(other);
-    const bool acrossOutgoing = mesh.triangle(face)[across] == vertex;
-    const Id k = acrossOutgoing ? across : TriangleMesh::nextIndex(other);
+    const Stop stop = behind(mesh, vertex, other);
+    const Id k = TriangleMesh::indexInFace(stop.corner);
     const Vec2 next = rotated(angle, unit({ shape.cornerDot[k], shape.area2 }));
     if (next.y < 0.0 || (next.y == 0.0 && next.x < 0.0))
     {
-      const Stop stop = { TriangleMesh::halfedgeOf(face, k), acrossOutgoing };
       return { Found::Yes, stop, meet(mesh, stop, { -angle.x, angle.y }) };
     }
     angle = next;
-    edge = TriangleMesh::halfedgeOf(face, acrossOutgoing ? TriangleMesh::previousIndex(other) : k);
+    edge = stop.leavingEdge();
   }
   return {};
 }

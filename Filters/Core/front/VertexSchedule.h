@@ -11,6 +11,15 @@
 namespace geodesic
 {
 
+/// The batch that the front processes, the same in all districts.
+struct Batch
+{
+  Id number = 0;
+  /// The key at which the batch begins, and its last one: what lies beyond that waits.
+  double key = 0.0;
+  double last = Infinity;
+};
+
 /// The vertices that wait, in the order of their keys. They are processed in batches of nearly
 /// equal distance, the nearest first.
 ///
@@ -19,16 +28,12 @@ namespace geodesic
 class VertexSchedule
 {
 public:
-  explicit VertexSchedule(VertexStates& states)
+  /// \param batch the current one, which the front moves on.
+  VertexSchedule(VertexStates& states, const Batch& batch)
     : states_(states)
+    , batch_(batch)
   {
   }
-
-  /// The key at which the last batch began.
-  double key() const { return this->key_; }
-
-  /// The last key of the current batch: what lies beyond it waits.
-  double last() const { return this->last_; }
 
   /// Adds a vertex that has to be processed, or whose lists have to pass. If it waits already, the
   /// smaller distance counts.
@@ -37,7 +42,7 @@ public:
   void add(Id vertex, double distance)
   {
     // Windows that come to a vertex behind the front continue with the front, in the same batches.
-    const double key = std::max(distance, this->key_);
+    const double key = std::max(distance, this->batch_.key);
     const VertexState& state = this->states_[vertex];
     if (state.hasPassed && distance >= state.distance)
     {
@@ -50,7 +55,7 @@ public:
         this->rise(state.slot, { key, vertex });
       }
     }
-    else if (state.waits == VertexState::Waits::No && key > this->key_)
+    else if (state.waits == VertexState::Waits::No && key > this->batch_.key)
     {
       this->states_[vertex].waits = VertexState::Waits::InHeap;
       this->heap_.emplace_back();
@@ -63,8 +68,8 @@ public:
     }
   }
 
-  /// Lets a vertex of the current batch whose lists have passed wait again at its distance,
-  /// whatever that will be. It does not limit its batch.
+  /// Lets a vertex of the current batch whose lists have passed wait again, until the front comes
+  /// to its distance, which may still fall. Its width does not limit that batch.
   void addPassed(Id vertex) { this->passed_.push_back(vertex); }
 
   /// The next batch: the least key of a waiting vertex, and the last key of its batch, which is at
@@ -84,28 +89,22 @@ public:
     }
     for (const Id vertex : this->passed_)
     {
-      next.least = std::min(next.least, std::max(this->key_, this->states_[vertex].distance));
+      next.least = std::min(next.least, std::max(this->batch_.key, this->states_[vertex].distance));
     }
     for (const Id vertex : this->behind_)
     {
-      next.least = this->key_;
-      next.last = std::min(next.last, this->key_ + this->batchWidthOf(vertex));
+      next.least = this->batch_.key;
+      next.last = std::min(next.last, this->batch_.key + this->batchWidthOf(vertex));
     }
     return next;
   }
 
-  /// Moves on to the batch that begins at a key.
-  void moveOn(double least) { this->key_ = std::max(this->key_, least); }
-
-  /// Begins again at key 0, with none behind the front.
-  void restart() { this->key_ = 0.0; }
-
-  /// Removes the vertices of the current batch, up to the last key.
-  void takeBatch(double last, std::vector<Id>& batch)
+  /// Removes the vertices of the batch.
+  void takeBatch(std::vector<Id>& batch)
   {
-    this->last_ = last;
+    const double last = this->batch_.last;
     batch.assign(this->behind_.begin(), this->behind_.end());
-    this->takePassed(last, batch);
+    this->takePassed(batch);
     for (const Id vertex : this->behind_)
     {
       this->states_[vertex].waits = VertexState::Waits::No;
@@ -147,9 +146,6 @@ public:
     this->passed_.clear();
   }
 
-  /// In the current batch, lets everything pass.
-  void passAll() { this->last_ = Infinity; }
-
   /// Whether some waiting vertex satisfies a condition: (Id vertex) -> bool.
   template <typename Condition>
   bool isAnyWaiting(const Condition& condition) const
@@ -171,9 +167,10 @@ private:
   static std::size_t parentOf(std::size_t slot) { return (slot - 1) / Children; }
   static std::size_t firstChildOf(std::size_t slot) { return Children * slot + 1; }
 
-  // Those that are not in the batch anyway.
-  void takePassed(double last, std::vector<Id>& batch)
+  // Adds the vertices whose lists have passed, but for those that are in the batch anyway.
+  void takePassed(std::vector<Id>& batch)
   {
+    const double last = this->batch_.last;
     const auto isBeyond = [this, last](Id vertex) { return this->states_[vertex].distance > last; };
     const auto taken = std::partition(this->passed_.begin(), this->passed_.end(), isBeyond);
     std::copy_if(taken, this->passed_.end(), std::back_inserter(batch),
@@ -262,8 +259,7 @@ private:
   }
 
   VertexStates& states_;
-  double key_ = 0.0;
-  double last_ = Infinity;
+  const Batch& batch_;
   /// Vertices ahead of the front, and those at or behind it.
   std::vector<WaitingVertex> heap_;
   std::vector<Id> behind_;

@@ -10,8 +10,8 @@
 namespace geodesic
 {
 
-/// The windows of a front that have still to pass within a distance, perhaps while they wait for a
-/// far vertex.
+/// Finds windows within a distance that have not passed their faces yet, perhaps because they wait
+/// for a far vertex.
 class WindowsWithin
 {
 public:
@@ -20,7 +20,7 @@ public:
   {
   }
 
-  /// Whether a vertex has some, or will emit some.
+  /// Whether such windows wait, or a vertex within the distance will emit windows.
   bool isAny(double distance)
   {
     if (this->recent_ != NoId && this->areAt(this->recent_, distance))
@@ -38,10 +38,9 @@ public:
       [&](const District& district) { return district.schedule.isAnyWaiting(areHere); });
   }
 
-  /// Makes a batch of the vertices for which they wait in a district.
+  /// Makes a batch of those vertices of a district for which such windows wait.
   void takeVertices(double distance, District& district) const
   {
-    district.schedule.passAll();
     std::vector<Id>& vertices = district.batch;
     district.lists.forEach(
       [&](const WaitingLists::List& list)
@@ -70,7 +69,7 @@ private:
   }
 
   FrontContext& front_;
-  /// A vertex that had some when last asked.
+  /// The vertex that isAny() found last; NoId if there was none.
   Id recent_ = NoId;
 };
 

@@ -112,7 +112,7 @@ inline void leaveThrough(
     leaveLinear(exit, w, ends, list);
     return;
   }
-  // moved(), but only what changes, written directly into the list
+  // moved(), but only what changes
   const Vec2 origin = IsLeft ? Vec2{ 0.0, 0.0 } : Vec2(exit.face.apex);
   const TwoDoubles unfolded = TwoDoubles(w.sourceX - origin.x) * exit.rotatedX +
     TwoDoubles(w.sourceDepth + origin.y) * exit.rotatedDepth;
@@ -120,17 +120,19 @@ inline void leaveThrough(
   const TwoDoubles source = TwoDoubles::raisedTo(TwoDoubles(-Infinity, 0.0), unfolded);
   if (!isUseless(ends, source, w.sigma, exit))
   {
-    Window& child = list.addUntrimmed(w);
-    child.begin = ends.first();
-    child.end = ends.second();
-    child.sourceX = source.first();
-    child.sourceDepth = source.second();
-    child.cross(exit.face.number);
-    if (exit.hasTurn)
-    {
-      child.start = RayStart::atAngle(w.start.angle() + w.origin.aroundPoint(exit.turn));
-    }
-    list.trim();
+    list.append(w,
+      [&](Window& child)
+      {
+        child.begin = ends.first();
+        child.end = ends.second();
+        child.sourceX = source.first();
+        child.sourceDepth = source.second();
+        child.cross(exit.face.number);
+        if (exit.hasTurn)
+        {
+          child.start = RayStart::atAngle(w.start.angle() + w.origin.aroundPoint(exit.turn));
+        }
+      });
   }
 }
 

@@ -24,20 +24,17 @@ public:
   /// result.
   void append(const Window& window)
   {
-    this->addUntrimmed(window);
-    this->trim();
+    this->append(window, [](Window&) {});
   }
-
-  /// append() in two steps, which makes a window in place: the first step adds a copy that the
-  /// caller changes, the second trims it. No other call may come between them.
-  Window& addUntrimmed(const Window& window)
+  /// Adds a changed copy of a window, which is made in place.
+  ///
+  /// \param change (Window&) -> void.
+  template <typename Change>
+  void append(const Window& window, const Change& change)
   {
     this->windows_.push_back(window);
-    return this->windows_.back();
-  }
-  void trim()
-  {
-    const Window& added = this->windows_.back();
+    Window& added = this->windows_.back();
+    change(added);
     if (this->windows_.size() > 1 && (&added - 1)->end > added.begin)
     {
       this->trimOverlapping();
