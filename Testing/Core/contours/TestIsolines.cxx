@@ -219,13 +219,13 @@ TEST_P(RandomIsolines, AreAsManyAndAsClosedAsTheSublevelSetsHaveBoundaries)
       const LineCount count = countLines(isolines, value);
       LevelTruth truth(drawn.plain, sources, drawn.values[value] * (1.0 - 1e-12));
       std::optional<LineCount> expected;
-      // Finer triangles may show lines that these ones do not.
-      for (int cuts = 1; cuts <= MostCuts && !(expected == count) &&
-           truth.size() < (expected ? MostTriangles : UsualTriangles);
-           ++cuts)
+      std::size_t most = UsualTriangles;
+      for (int cuts = 1; cuts <= MostCuts && !(expected == count) && truth.size() < most; ++cuts)
       {
         truth.refine();
         expected = cuts < LeastCuts ? std::nullopt : truth.count();
+        // Finer triangles may show lines that these ones do not.
+        most = expected ? MostTriangles : most;
       }
       compared += expected ? 1 : 0;
       EXPECT_TRUE(!expected || *expected == count)
