@@ -152,46 +152,31 @@ double sagittaOf(double radius, double halfTangent)
   return radius * squared / (root * (1.0 + root));
 }
 
-// The angle of a chord within the tolerance. Points are at the value only up to a tie, so that no
-// chord need be nearer to its arc.
-double angleOfChord(double radius, double chordTolerance)
-{
-  const double sagitta = std::clamp(chordTolerance / radius, tolerance::Tie, 1.0);
-  return std::min(LargestStep, 4.0 * arcSine(std::sqrt(0.5 * sagitta)));
-}
-
-// Adds the points of an arc between its ends. Most arcs are one chord.
-void followArc(const Remainder& arc, double chordTolerance, Line& line)
-{
-  const double radius = arc.curve->radius;
-  const double halfTangent = (arc.end - arc.begin) / (1.0 + arc.end * arc.begin);
-  line.back().sagitta = sagittaOf(radius, halfTangent);
-  if (line.back().sagitta <= chordTolerance && halfTangent <= TangentOfHalfStep)
-  {
-    return;
-  }
-  const double first = 2.0 * polarAngle({ 1.0, arc.begin });
-  const double angle = 2.0 * polarAngle({ 1.0, halfTangent });
-  const double chords = std::max(1.0, std::ceil(angle / angleOfChord(radius, chordTolerance)));
-  const double sagitta = sagittaOf(radius, tangent(0.5 * angle / chords));
-  line.back().sagitta = sagitta;
-  const auto count = static_cast<std::size_t>(chords);
-  for (std::size_t i = 1; i < count; ++i)
-  {
-    const double parameter = tangent(0.5 * (first + static_cast<double>(i) / chords * angle));
-    line.push_back({ arc.curve->at(parameter), NoId, sagitta });
-  }
-}
-
 /// Adds the points of a remainder to the end of a line, of an arc so many that no chord is farther
-/// from the arc than the tolerance.
+/// from the arc than the tolerance. Most arcs are one chord. Points are at the value only up to a
+/// tie, so that no chord need be nearer to its arc.
 void follow(const Remainder& remainder, double chordTolerance, Line& line)
 {
-  if (remainder.curve->isArc)
+  const auto& [curve, begin, end] = remainder;
+  const double halfTangent = (end - begin) / (1.0 + end * begin);
+  line.back().sagitta = curve->isArc ? sagittaOf(curve->radius, halfTangent) : 0.0;
+  if (curve->isArc && (line.back().sagitta > chordTolerance || halfTangent > TangentOfHalfStep))
   {
-    followArc(remainder, chordTolerance, line);
+    const double first = 2.0 * polarAngle({ 1.0, begin });
+    const double angle = 2.0 * polarAngle({ 1.0, halfTangent });
+    const double least = std::clamp(chordTolerance / curve->radius, tolerance::Tie, 1.0);
+    const double step = std::min(LargestStep, 4.0 * arcSine(std::sqrt(0.5 * least)));
+    const double chords = std::max(1.0, std::ceil(angle / step));
+    const double sagitta = sagittaOf(curve->radius, tangent(0.5 * angle / chords));
+    line.back().sagitta = sagitta;
+    const auto count = static_cast<std::size_t>(chords);
+    for (std::size_t i = 1; i < count; ++i)
+    {
+      const double parameter = tangent(0.5 * (first + static_cast<double>(i) / chords * angle));
+      line.push_back({ curve->at(parameter), NoId, sagitta });
+    }
   }
-  line.push_back({ remainder.curve->at(remainder.end) });
+  line.push_back({ curve->at(end) });
 }
 
 /// The end of the longest chord from a point that is near enough to all of the line below it.
@@ -320,7 +305,16 @@ private:
     const std::size_t begin = ids.size();
     const std::size_t last = line.size() - 1;
     const auto idOf = [&](const LinePoint& p)
-    { return p.id == NoId ? this->addPoint(p.at) : p.id; };
+    {
+      if (p.id != NoId)
+      {
+        return p.id;
+      }
+      const FaceDistance& face = this->level.face;
+      std::vector<SurfacePoint>& points = this->task.result.points;
+      points.push_back(fromBarycentric(this->task.mesh, face.face(), face.fromPlane(p.at)));
+      return this->task.firstNewId + static_cast<Id>(points.size() - 1);
+    };
     ids.push_back(idOf(line.front()));
     for (std::size_t at = 0; at < last;)
     {
@@ -338,14 +332,6 @@ private:
   {
     IsolinePieces& result = this->task.result;
     result.pieces.push_back({ this->level.face.face(), this->valueId, result.ids.size() });
-  }
-
-  Id addPoint(Vec2 p)
-  {
-    const FaceDistance& face = this->level.face;
-    std::vector<SurfacePoint>& points = this->task.result.points;
-    points.push_back(fromBarycentric(this->task.mesh, face.face(), face.fromPlane(p)));
-    return this->task.firstNewId + static_cast<Id>(points.size() - 1);
   }
 };
 

@@ -51,11 +51,7 @@ struct IsolineTask
   IsolinePieces result;
 };
 
-/// Draws the isoline of one value in a face.
-///
-/// Each distance candidate reaches a region within the value; the isoline is the outline of the
-/// union of these regions. Each level curve is cut where it meets another one, a ray at the end of
-/// a pencil, or an edge. Its parts outside all other regions remain (LevelArrangement). They are
+/// Draws the isoline of one value in a face: the remainders of its level curves (LevelArrangement),
 /// joined where one ends and another begins, and to the points of the face's outline. If some ends
 /// do not meet, rounding has decided something; should they meet in no way, the lines go straight
 /// through the face.

@@ -87,15 +87,9 @@ private:
     return between(place(chord), place(chord + 1), t);
   }
 
-  IncomingSegment pieceTo(const Isoline& line, std::size_t chord, double t) const
+  bool isOnRightAt(const SurfacePoint& place)
   {
-    return incomingSegmentTo(
-      this->field_, fromBarycentric(this->mesh_, line.faces[chord], this->onChord(line, chord, t)));
-  }
-
-  bool isOnRightAt(const IncomingSegment& piece)
-  {
-    return this->isOnRight_(this->nearest_.of(piece));
+    return this->isOnRight_(this->nearest_.of(incomingSegmentTo(this->field_, place)));
   }
 
   std::vector<SidedChord> withSides(const Isoline& line)
@@ -104,14 +98,17 @@ private:
     for (std::size_t chord = 0; chord < line.faces.size(); ++chord)
     {
       this->job_.look(this->chordsDone_++ / this->chords_);
-      const bool before = this->isOnRightAt(this->pieceTo(line, chord, tolerance::BesideChordEnd));
-      const bool behind =
-        this->isOnRightAt(this->pieceTo(line, chord, 1.0 - tolerance::BesideChordEnd));
+      const Id face = line.faces[chord];
+      const auto isRightAt = [&](double t) {
+        return this->isOnRightAt(fromBarycentric(this->mesh_, face, this->onChord(line, chord, t)));
+      };
+      const bool before = isRightAt(tolerance::BesideChordEnd);
+      const bool behind = isRightAt(1.0 - tolerance::BesideChordEnd);
       if (before != behind)
       {
-        chords.push_back({ line.faces[chord], this->addChange(line, chord, before), before });
+        chords.push_back({ face, this->addChange(line, chord, before), before });
       }
-      chords.push_back({ line.faces[chord], line.points[chord + 1], behind });
+      chords.push_back({ face, line.points[chord + 1], behind });
     }
     return chords;
   }
@@ -122,8 +119,10 @@ private:
   {
     const Id face = line.faces[chord];
     const Id frame = longestHalfedge(this->mesh_, face);
-    const IncomingSegment piece = this->pieceTo(line, chord, t);
-    Vec2 at = inHalfedgeFrame(this->mesh_, frame, this->onChord(line, chord, t));
+    const Barycentric place = this->onChord(line, chord, t);
+    const IncomingSegment piece =
+      incomingSegmentTo(this->field_, fromBarycentric(this->mesh_, face, place));
+    Vec2 at = inHalfedgeFrame(this->mesh_, frame, place);
     const double length = norm(piece.ray.vector);
     if (piece.ray.halfedge != NoId && TriangleMesh::faceOf(piece.ray.halfedge) == face &&
       length > 0.0)
@@ -146,8 +145,7 @@ private:
     for (int i = 0; i < Halvings; ++i)
     {
       const double middle = 0.5 * (begin + end);
-      const bool isRight = this->isOnRightAt(
-        incomingSegmentTo(this->field_, this->onLine(line, chord, middle, value)));
+      const bool isRight = this->isOnRightAt(this->onLine(line, chord, middle, value));
       (isRight == isRightBefore ? begin : end) = middle;
     }
     this->result.points.push_back(this->onLine(line, chord, begin, value));

@@ -36,28 +36,6 @@ void checkOptions(const IsolineOptions& options)
   }
 }
 
-/// Where a function changes its sign between `a` and `b`, at which it has different signs, by
-/// bisection: the last place on b's side.
-template <typename Function>
-double changeOfSign(double a, double b, const Function& function)
-{
-  constexpr int halvings = 60;
-  const bool isNegativeAtA = function(a) < 0.0;
-  for (int i = 0; i < halvings; ++i)
-  {
-    const double middle = 0.5 * (a + b);
-    if ((function(middle) < 0.0) == isNegativeAtA)
-    {
-      a = middle;
-    }
-    else
-    {
-      b = middle;
-    }
-  }
-  return b;
-}
-
 // Corrects the x on an edge that was found on an envelope: windows of an envelope may differ where
 // they meet, by tolerance::JointFraction. Then the distance in the face decides.
 //
@@ -65,21 +43,29 @@ double changeOfSign(double a, double b, const Function& function)
 double crossingByDistance(
   const FaceDistance& face, const PlaneLine& line, double length, double level, double found)
 {
+  constexpr int doublings = 8;
+  constexpr int halvings = 60;
   const auto above = [&](double x) { return face.distance(line.point + x * line.along) - level; };
   const double off = above(found);
+  const auto isBeyond = [&](double x) { return (above(x) < 0.0) != (off < 0.0); };
   if (std::abs(off) <= tolerance::IsolineValue * (level + length))
   {
     return found;
   }
-  constexpr int doublings = 8;
   double step = std::abs(off);
   for (int i = 0; i < doublings; ++i, step *= 2.0)
   {
-    for (const double other : { std::max(0.0, found - step), std::min(length, found + step) })
+    for (double beyond : { std::max(0.0, found - step), std::min(length, found + step) })
     {
-      if ((above(other) < 0.0) != (off < 0.0))
+      if (isBeyond(beyond))
       {
-        return changeOfSign(found, other, above);
+        double before = found;
+        for (int k = 0; k < halvings; ++k)
+        {
+          const double middle = 0.5 * (before + beyond);
+          (isBeyond(middle) ? beyond : before) = middle;
+        }
+        return beyond;
       }
     }
   }
@@ -107,11 +93,14 @@ public:
     this->findEdgePoints();
     std::vector<IsolinePieces> drawn =
       this->forTasks(this->options_.job.part(EdgesDone, 1.0), &IsolineDrawing::drawFaces);
+    // A point is the vertex if it lies so near that rounding cannot separate them.
     std::vector<SurfacePoint> onEdges;
     onEdges.reserve(this->edgePoints_.size());
-    for (const EdgePoint& p : this->edgePoints_)
+    for (const auto& [halfedge, value, fraction, rises] : this->edgePoints_)
     {
-      onEdges.push_back(this->placeOf(p));
+      const double size = this->levels_[value] + this->mesh_.length(halfedge);
+      onEdges.push_back(
+        placeOnHalfedge(this->mesh_, halfedge, fraction, tolerance::IsolineAtVertex * size));
     }
     Isolines result = joinPieces(this->mesh_, this->levels_, std::move(onEdges),
       pointsAtSeams(this->field_.surface(), this->edgePoints_), std::move(drawn));
@@ -120,14 +109,6 @@ public:
   }
 
 private:
-  /// The point on its edge; the vertex if the point lies so near that rounding cannot separate
-  /// them.
-  SurfacePoint placeOf(const EdgePoint& p) const
-  {
-    return placeOnHalfedge(this->mesh_, p.halfedge, p.fraction,
-      tolerance::IsolineAtVertex * (this->levels_[p.value] + this->mesh_.length(p.halfedge)));
-  }
-
   void findFaces()
   {
     const MeshPartition& part = this->field_.surface();

@@ -87,9 +87,13 @@ void LevelArrangement::addRegion(const DistanceCandidate& candidate, double offs
   const double value = this->level_->value - static_cast<double>(number) * offset * offsetScale;
   if (hasPointsBefore(candidate, value))
   {
-    this->regions_.emplace_back(
-      candidate, number, value, tolerance::PencilMargin * this->level_->size);
+    this->regions_.emplace_back(candidate, value, tolerance::PencilMargin * this->level_->size);
+    std::size_t curve = this->curves_.size();
     this->regions_.back().addCurves(this->level_->corners, this->level_->gap, this->curves_);
+    for (; curve < this->curves_.size(); ++curve)
+    {
+      this->curves_[curve].region = number;
+    }
   }
 }
 
@@ -123,7 +127,6 @@ void LevelArrangement::cut(const LevelCurve& curve, const std::array<PlaneLine, 
 {
   this->atEdges_.clear();
   const CurvePart whole(curve, 0.0, curve.extent, this->level_->gap);
-  bool isWithin = true;
   for (const PlaneLine& edge : edges)
   {
     if (edge.mostAside(whole) < 0.0)
@@ -132,14 +135,8 @@ void LevelArrangement::cut(const LevelCurve& curve, const std::array<PlaneLine, 
     }
     if (edge.leastAside(whole) < 0.0)
     {
-      isWithin = false;
       addMeetings(curve, edge, this->atEdges_);
     }
-  }
-  if (isWithin)
-  {
-    this->cutByRegions(whole, 0.0, curve.extent, remainders);
-    return;
   }
   const auto isInside = [&](Vec2 p)
   {
@@ -171,7 +168,7 @@ void LevelArrangement::cutByRegions(
   {
     const LevelRegion& region = this->regions_[i];
     if (this->extents_[i].end < extent.begin || extent.end < this->extents_[i].begin ||
-      i == curve.candidate || region.misses(part))
+      i == curve.region || region.misses(part))
     {
       continue;
     }
@@ -185,6 +182,11 @@ void LevelArrangement::cutByRegions(
   std::sort(this->atRegions_.begin(), this->atRegions_.end());
   this->atRegions_.push_back(last);
   this->job_.look();
+  const auto isOutside = [this](Vec2 p)
+  {
+    return std::none_of(this->near_.begin(), this->near_.end(),
+      [p](const LevelRegion* region) { return region->contains(p); });
+  };
   double begin = first;
   bool goesOn = false;
   for (const double parameter : this->atRegions_)
@@ -192,26 +194,19 @@ void LevelArrangement::cutByRegions(
     const double end = std::min(parameter, last);
     if (end > begin)
     {
-      const bool isOutside = this->remains(curve.at(0.5 * (begin + end)));
-      if (isOutside && goesOn)
+      const bool remains = isOutside(curve.at(0.5 * (begin + end)));
+      if (remains && goesOn)
       {
         remainders.back().end = end;
       }
-      else if (isOutside)
+      else if (remains)
       {
         remainders.push_back({ &curve, begin, end });
       }
-      goesOn = isOutside;
+      goesOn = remains;
       begin = end;
     }
   }
-}
-
-// Whether a point of a curve is outside the regions nearby.
-bool LevelArrangement::remains(Vec2 p) const
-{
-  return std::none_of(this->near_.begin(), this->near_.end(),
-    [p](const LevelRegion* region) { return region->contains(p); });
 }
 
 // Whether a remainder lies between two pencils that rounding has parted: there a path that bends at

@@ -27,9 +27,9 @@ struct FaceLevel
   double slack;
 };
 
-/// The level curves of a value in a face, and the regions within the value that they bound. The
-/// isoline consists of the parts of the curves outside all regions: the remainders. Reuses its
-/// memory for the next level.
+/// The points that each distance candidate reaches within a value are a region of the face. The
+/// isoline is the outline of their union: the parts of the regions' level curves outside all of
+/// them, the remainders. Reuses its memory for the next level.
 class LevelArrangement
 {
 public:
@@ -69,7 +69,6 @@ private:
     std::vector<Remainder>& remainders);
   void cutByRegions(
     const CurvePart& part, double first, double last, std::vector<Remainder>& remainders);
-  bool remains(Vec2 p) const;
   bool isScrap(const Remainder& remainder) const;
 
   const Job& job_;

@@ -35,14 +35,13 @@ double clockwiseAngle(Vec2 from, Vec2 to)
 }
 
 /// Appends an arc in parts of a right angle at most.
-void addArcs(std::size_t candidate, Vec2 center, double radius, Vec2 axis, double angle,
-  std::vector<LevelCurve>& curves)
+void addArcs(Vec2 center, double radius, Vec2 axis, double angle, std::vector<LevelCurve>& curves)
 {
   const double parts = std::ceil(angle / (0.5 * Pi) - tolerance::Tie);
   const double halfTangent = tangent(0.5 * angle / parts);
   for (int i = 0; i < static_cast<int>(parts); ++i)
   {
-    curves.push_back({ candidate, true, center, axis, radius, halfTangent });
+    curves.push_back({ true, center, axis, radius, halfTangent });
     axis = turnedClockwise(axis, halfTangent);
   }
 }
@@ -162,10 +161,8 @@ bool hasPointsBefore(const DistanceCandidate& c, double value)
   return c.sigma + norm(c.begin + x * along - c.source) < value;
 }
 
-LevelRegion::LevelRegion(
-  const DistanceCandidate& candidate, std::size_t number, double value, double margin)
+LevelRegion::LevelRegion(const DistanceCandidate& candidate, double value, double margin)
   : candidate_(candidate)
-  , number_(number)
   , level_(value - candidate.sigma)
   , margin_(margin)
 {
@@ -239,7 +236,7 @@ void LevelRegion::addCurves(
     case DistanceCandidate::Kind::Cone:
       if (std::any_of(corners.begin(), corners.end(), isReached))
       {
-        addArcs(this->number_, c.source, r, { 1.0, 0.0 }, 2.0 * Pi, curves);
+        addArcs(c.source, r, { 1.0, 0.0 }, 2.0 * Pi, curves);
       }
       break;
     case DistanceCandidate::Kind::Circular:
@@ -255,8 +252,7 @@ void LevelRegion::addCurves(
       const Vec2 begin = c.begin + (r - dot(c.source, c.begin)) * c.source;
       if (length > 0.0)
       {
-        curves.push_back(
-          { this->number_, false, begin - this->margin_ * along, along, 0.0, length });
+        curves.push_back({ false, begin - this->margin_ * along, along, 0.0, length });
       }
       break;
     }
@@ -266,10 +262,10 @@ void LevelRegion::addCurves(
       const double length = norm(c.end - c.begin);
       const Vec2 along = unitOr(c.end - c.begin, { 1.0, 0.0 });
       const Vec2 left = leftOf(along);
-      curves.push_back({ this->number_, false, c.begin + r * left, along, 0.0, length });
-      addArcs(this->number_, c.end, r, left, Pi, curves);
-      curves.push_back({ this->number_, false, c.end - r * left, -1.0 * along, 0.0, length });
-      addArcs(this->number_, c.begin, r, -1.0 * left, Pi, curves);
+      curves.push_back({ false, c.begin + r * left, along, 0.0, length });
+      addArcs(c.end, r, left, Pi, curves);
+      curves.push_back({ false, c.end - r * left, -1.0 * along, 0.0, length });
+      addArcs(c.begin, r, -1.0 * left, Pi, curves);
       break;
     }
   }
@@ -292,15 +288,13 @@ void LevelRegion::addArc(Vec2 first, Vec2 last, std::vector<LevelCurve>& curves)
     const double halfTangent = (half + more) / (1.0 - half * more);
     if (halfTangent <= 1.0)
     {
-      curves.push_back(
-        { this->number_, true, this->candidate_.source, axis, this->level_, halfTangent });
+      curves.push_back({ true, this->candidate_.source, axis, this->level_, halfTangent });
       return;
     }
   }
   const double between = clockwiseAngle(first, last);
   const double angle = (between > 1.5 * Pi ? 0.0 : between) + 2.0 * arcSine(sine);
-  addArcs(
-    this->number_, this->candidate_.source, this->level_, axis, std::min(angle, 2.0 * Pi), curves);
+  addArcs(this->candidate_.source, this->level_, axis, std::min(angle, 2.0 * Pi), curves);
 }
 
 void LevelRegion::addMeetings(const CurvePart& part, std::vector<double>& parameters) const

@@ -16,8 +16,6 @@ namespace geodesic
 /// straight piece. It runs so that the distance grows to its left.
 struct LevelCurve
 {
-  /// Number of the face's candidate.
-  std::size_t candidate;
   bool isArc;
   /// The centre of an arc; where a straight piece begins.
   Vec2 origin;
@@ -27,6 +25,8 @@ struct LevelCurve
   /// The end of the curve's parameter: the tangent of half the angle of an arc, clockwise, at most
   /// 1; the length of a straight piece. On an arc, this parameter needs no trigonometry.
   double extent;
+  /// The number of the region that it bounds.
+  std::size_t region = 0;
 
   /// The point at t, from 0 to extent.
   Vec2 at(double t) const;
@@ -102,7 +102,7 @@ class LevelRegion
 {
 public:
   /// \param margin by which the pencil is widened, so that those of neighbours leave no gap.
-  LevelRegion(const DistanceCandidate& candidate, std::size_t number, double value, double margin);
+  LevelRegion(const DistanceCandidate& candidate, double value, double margin);
 
   bool contains(Vec2 p) const;
   /// The direction of one of its rays; zero without a pencil.
@@ -142,7 +142,6 @@ private:
   void addArc(Vec2 first, Vec2 last, std::vector<LevelCurve>& curves) const;
 
   DistanceCandidate candidate_;
-  std::size_t number_;
   /// How far from the source it reaches; with parallel rays, along these from the origin.
   double level_;
   double margin_;

@@ -192,6 +192,19 @@ MeshPoint LevelTruth::place(const Cell& cell) const
   return { cell.face, weights };
 }
 
+/// The longest edge of the cells in a face.
+double LevelTruth::sizeOf(Index face) const
+{
+  const Triangle& t = this->mesh_.triangles[face];
+  double longest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    longest = std::max(
+      longest, spaceDistance(this->mesh_.points[t[k]], this->mesh_.points[t[(k + 1) % 3]]));
+  }
+  return longest / this->parts_;
+}
+
 void LevelTruth::refine()
 {
   this->parts_ *= 2;
@@ -213,15 +226,9 @@ void LevelTruth::refine()
   this->cells_.clear();
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    const Triangle& t = this->mesh_.triangles[cells[i].face];
-    double longest = 0.0;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      longest = std::max(
-        longest, spaceDistance(this->mesh_.points[t[k]], this->mesh_.points[t[(k + 1) % 3]]));
-    }
     // Corners are no farther from the middle than two thirds of the longest edge.
-    if (std::abs(middles[i] - this->value_) <= 0.7 * longest / this->parts_ + 1e-9 * this->value_)
+    if (std::abs(middles[i] - this->value_) <=
+      0.7 * this->sizeOf(cells[i].face) + 1e-9 * this->value_)
     {
       this->cells_.push_back(cells[i]);
     }
@@ -352,6 +359,11 @@ LevelTruth::CellMesh LevelTruth::cellMesh() const
 
 std::optional<LineCount> LevelTruth::count() const
 {
+  if (std::any_of(this->cells_.begin(), this->cells_.end(),
+        [this](const Cell& cell) { return this->sizeOf(cell.face) > this->value_; }))
+  {
+    return std::nullopt; // the region around a source may hold no corner
+  }
   const CellMesh mesh = this->cellMesh();
   const std::vector<double> distances =
     bruteForceDistances(this->mesh_, this->sources_, mesh.places).queries;

@@ -69,6 +69,8 @@ public:
   /// Cuts the triangles that may hold the value in four.
   void refine();
 
+  std::size_t size() const { return this->cells_.size(); }
+
   /// The lines where triangles tell: each band of them has one region below and one above beside
   /// it, or no corner on one side. Lines around a region that holds no corner are not seen. Lines
   /// end at edges with one face, or more than two. Where lines meet or vanish at a vertex that is
@@ -91,6 +93,7 @@ private:
   std::array<std::array<Index, 2>, 3> corners(const Cell& cell) const;
   std::array<Index, 3> steps(Index i, Index j) const { return { this->parts_ - i - j, i, j }; }
   MeshPoint place(const Cell& cell) const;
+  double sizeOf(Index face) const;
   CellMesh cellMesh() const;
   Node nameOf(Index face, const std::array<Index, 3>& steps) const;
 
