@@ -35,15 +35,25 @@ Id CutEdges::ensure(Id halfedge)
   if (isNew)
   {
     const Id along = directionOf(this->mesh_, first);
-    this->edges_.push_back({ along, this->mesh_.length(along), {}, { Deviation::unknown() } });
+    this->edges_.push_back({ along, {}, { Deviation::unknown() } });
   }
   return found->second;
 }
 
-Id CutEdges::find(Id halfedge) const
+std::vector<Id> CutEdges::pointsAlong(Id halfedge) const
 {
   const auto found = this->numbers_.find(this->mesh_.edgeOf(halfedge));
-  return found == this->numbers_.end() ? NoId : found->second;
+  if (found == this->numbers_.end())
+  {
+    return {};
+  }
+  const CutEdge& edge = this->edges_[found->second];
+  std::vector<Id> points = edge.points;
+  if (this->mesh_.origin(edge.halfedge) != this->mesh_.origin(halfedge))
+  {
+    std::reverse(points.begin(), points.end());
+  }
+  return points;
 }
 
 SurfacePoint CutEdges::placeOf(Id number) const
@@ -73,7 +83,7 @@ double CutEdges::placeOfEnd(Id edge, Id end) const
 double CutEdges::lengthOfPiece(Id edge, Id piece) const
 {
   return (this->placeOfEnd(edge, piece + 1) - this->placeOfEnd(edge, piece)) *
-    this->edges_[edge].length;
+    this->mesh_.length(this->edges_[edge].halfedge);
 }
 
 Id CutEdges::pieceAt(Id edge, double at) const
@@ -90,7 +100,7 @@ void CutEdges::split(const EdgeSplit& split)
   CutEdge& e = this->edges_[edge];
   const double from = this->placeOfEnd(edge, split.piece);
   const double to = this->placeOfEnd(edge, split.piece + 1);
-  const Id number = this->mesh_.numberOfVertices() + static_cast<Id>(this->points_.size());
+  const Id number = this->firstPoint_ + static_cast<Id>(this->points_.size());
   this->points_.push_back({ edge, from + split.weight * (to - from), split.distance,
     { this->endOfPiece(edge, split.piece), this->endOfPiece(edge, split.piece + 1) }, split.weight,
     split.reason == SplitReason::Shape });

@@ -21,7 +21,7 @@ struct PointOnEdge
   double at;
   double distance;
   /// The points between which it was put, and the fraction of the way from the first to the second.
-  /// Points are numbered: the mesh's vertices, then these.
+  /// Points are numbered: the vertices at the edges, then these.
   std::array<Id, 2> parents;
   double weight;
   /// Whether shapes alone have asked for it.
@@ -34,7 +34,6 @@ struct CutEdge
   /// The one along which it runs, the same for any order of the faces: of all at the edge the one
   /// whose origin and apex have the least coordinates.
   Id halfedge;
-  double length;
   /// The numbers of its points, in their order along it.
   std::vector<Id> points;
   /// How far the distance along each piece between neighbouring points deviates from linear: one
@@ -72,8 +71,10 @@ struct EdgeSplit
 class CutEdges
 {
 public:
-  explicit CutEdges(const TriangleMesh& mesh)
+  /// \param firstPoint the number of the first point: that of the vertices at the edges.
+  CutEdges(const TriangleMesh& mesh, Id firstPoint)
     : mesh_(mesh)
+    , firstPoint_(firstPoint)
   {
   }
 
@@ -84,15 +85,12 @@ public:
   ///
   /// \param halfedge any of the edge's.
   Id ensure(Id halfedge);
-  /// The same for an edge that may not be there: NoId then.
-  Id find(Id halfedge) const;
+  /// The points on the edge, along this halfedge of it; none if the edge is not there.
+  std::vector<Id> pointsAlong(Id halfedge) const;
 
   const std::vector<PointOnEdge>& points() const { return this->points_; }
-  bool isVertex(Id point) const { return point < this->mesh_.numberOfVertices(); }
-  const PointOnEdge& point(Id number) const
-  {
-    return this->points_[number - this->mesh_.numberOfVertices()];
-  }
+  bool isVertex(Id point) const { return point < this->firstPoint_; }
+  const PointOnEdge& point(Id number) const { return this->points_[number - this->firstPoint_]; }
   /// Where a vertex or a point on an edge is, and its distance.
   SurfacePoint placeOf(Id number) const;
   double distanceOf(Id number, const std::vector<double>& vertexDistances) const
@@ -112,6 +110,7 @@ public:
 
 private:
   const TriangleMesh& mesh_;
+  Id firstPoint_;
   std::vector<CutEdge> edges_;
   std::unordered_map<Id, Id> numbers_;
   std::vector<PointOnEdge> points_;

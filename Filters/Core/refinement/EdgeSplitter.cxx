@@ -49,10 +49,10 @@ void EdgeSplitter::enter(Id edge)
   if (this->edge_ != edge)
   {
     this->edge_ = edge;
-    this->length_ = this->edges_[edge].length;
     this->along_.clear();
     const TriangleMesh& mesh = this->faces_.field.mesh();
     const Id halfedge = this->edges_[edge].halfedge;
+    this->length_ = mesh.length(halfedge);
     this->forEachFaceToMeasure(edge,
       [&](const FaceDistance& face)
       {

@@ -104,8 +104,14 @@ Deviation FaceCheck::deviationOf(Id a, Id b)
 }
 
 // In an approximate field the faces around a point differ by what merging has changed, which no
-// refinement can undo. The triangle gets the rest of the tolerance, but at least half of it. A
-// triangle as small as the tolerance passes.
+// refinement can undo. The triangle gets the rest of the tolerance, but at least half of it.
+double FaceCheck::limitOf(const Triangle& corners) const
+{
+  const auto [difference, rounding] = this->differenceAt(corners);
+  return std::max(this->tolerance_ - difference - rounding, 0.5 * this->tolerance_);
+}
+
+// A triangle as small as the tolerance passes.
 FaceCheck::Result FaceCheck::of(const Triangle& corners)
 {
   LinearPiece linear;
@@ -117,21 +123,21 @@ FaceCheck::Result FaceCheck::of(const Triangle& corners)
     linear.values[k] = point.here;
     onSides.widen(this->deviationOf(corners[k], corners[(k + 1) % 3]));
   }
-  const auto [difference, rounding] = this->differenceAt(corners);
-  const double limit = std::max(this->tolerance_ - difference - rounding, 0.5 * this->tolerance_);
+  const double limit = this->limitOf(corners);
   const bool isSmall = longestEdge(linear.corners) <= limit;
   if (onSides.largest() > limit && !isSmall)
   {
-    return { Infinity, onSides.largest(), limit };
+    return { Infinity, onSides.largest() };
   }
   const double below = std::max(onSides.below, this->belowAtSources(linear));
   if (below > limit && !isSmall)
   {
-    return { Infinity, below, limit };
+    return { Infinity, below };
   }
   Result result = this->above(linear, onSides.above, limit);
   result.sample = std::max(result.sample, below);
   const double own = std::max({ result.bound, below, onSides.above });
+  const auto [difference, rounding] = this->differenceAt(corners);
   result.bound = isSmall || own <= limit ? own + rounding + difference : Infinity;
   return result;
 }
@@ -186,14 +192,14 @@ FaceCheck::Result FaceCheck::above(const LinearPiece& piece, double onEdges, dou
   // A triangle whose corners lie on a line consists of its edges.
   if (!(area2 > 0.0))
   {
-    return { onEdges, onEdges, limit };
+    return { onEdges, onEdges };
   }
   const double longest = longestEdge(piece.corners);
   const GradientSlack slack = slackOf({ dot(e1, e1), dot(e1, e2), dot(e2, e2), area2, longest },
     piece.values[1] - piece.values[0], piece.values[2] - piece.values[0]);
   // The distance changes by no more than the length moved to a corner, or to an edge.
   const double byWay = std::min(longest, onEdges + slack.above);
-  return byWay <= limit ? Result{ byWay, onEdges, limit } : this->search(piece, onEdges, limit);
+  return byWay <= limit ? Result{ byWay, onEdges } : this->search(piece, onEdges, limit);
 }
 
 // Branch and bound: halves the triangle repeatedly until, on each part, some convex combination of
@@ -206,7 +212,7 @@ FaceCheck::Result FaceCheck::search(const LinearPiece& piece, double onEdges, do
   this->near_.choose(this->distance_, middle, radius);
   this->excess_.clear();
   Node root{ piece, 0, {} };
-  Result result = { 0.0, onEdges, limit };
+  Result result = { 0.0, onEdges };
   for (std::size_t k = 0; k < 3; ++k)
   {
     root.row[k] = this->addRow(piece.corners[k], piece.values[k]);

@@ -26,8 +26,6 @@ public:
     double bound;
     /// A difference that does occur.
     double sample;
-    /// The limit for differences within the face.
-    double limit;
   };
 
   /// \param faces must outlive this.
@@ -43,6 +41,8 @@ public:
   /// The deviation along a side between two points of the face.
   Deviation deviationOf(Id a, Id b);
   Result of(const Triangle& corners);
+  /// The limit for differences within the face.
+  double limitOf(const Triangle& corners) const;
   /// A bound that also triangles over the tolerance have.
   double boundBySize(const Triangle& corners) const;
 

@@ -134,13 +134,13 @@ void FaceRefiner::assess(Id part)
   p.bound = check.bound;
   if (!p.hasPassed())
   {
-    this->open_.push({ SplitReason::Error, check.sample, part, p.version, check.limit });
+    this->open_.push({ SplitReason::Error, check.sample, part, p.version });
     return;
   }
   const double shape = this->urgencyOfShape(part);
   if (shape > 0.0)
   {
-    this->open_.push({ SplitReason::Shape, shape, part, p.version, check.limit });
+    this->open_.push({ SplitReason::Shape, shape, part, p.version });
     return;
   }
   this->assessAtBorder(part);
@@ -154,7 +154,7 @@ void FaceRefiner::assessAtBorder(Id part)
     : 0.0;
   if (length > 0.0)
   {
-    this->open_.push({ SplitReason::Border, length, part, p.version, Infinity });
+    this->open_.push({ SplitReason::Border, length, part, p.version });
   }
 }
 
@@ -195,7 +195,7 @@ void FaceRefiner::mendError(const OpenPart& open)
   const FaceTriangles::Part& part = this->face_->parts()[open.part];
   const auto lengths = lengthsOf(this->face_->places(part.corners));
   std::size_t worst = 3;
-  double largest = open.limit;
+  double largest = this->check_.limitOf(part.corners);
   double at = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
   {

@@ -41,7 +41,6 @@ private:
     double urgency;
     Id part;
     Id version;
-    double limit;
 
     bool operator<(const OpenPart& other) const;
   };

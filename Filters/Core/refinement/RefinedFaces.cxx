@@ -12,7 +12,7 @@ namespace geodesic
 
 RefinedFaces::RefinedFaces(const DistanceField& refined, const Job& job)
   : field(refined)
-  , edges(refined.mesh())
+  , edges(refined.mesh(), refined.surface().numberOfOwnVertices())
   , ofFace_(refined.mesh().numberOfFaces(), NoId)
   , isRefined_(refined.mesh().numberOfFaces(), 1)
 {
@@ -105,7 +105,8 @@ void RefinedFaces::takePoints(
       }
     }
   }
-  std::vector<Id> numbers = this->edges[face.side(side).edge].points;
+  const std::vector<Id> numbers =
+    this->edges.pointsAlong(TriangleMesh::halfedgeOf(face.face(), side));
   if (pieces.size() == numbers.size() + 1)
   {
     return;
@@ -113,10 +114,6 @@ void RefinedFaces::takePoints(
   std::sort(pieces.begin(), pieces.end(),
     [&](const Piece& a, const Piece& b)
     { return face.wayAlong(side, a.begin) < face.wayAlong(side, b.begin); });
-  if (face.side(side).isReversed)
-  {
-    std::reverse(numbers.begin(), numbers.end());
-  }
   auto piece = pieces.begin();
   Id rest = piece->part;
   for (const Id number : numbers)

@@ -13,13 +13,13 @@ namespace geodesic
 namespace
 {
 
-/// All added points, each after its parents, with the numbers of the mesh's vertices. Points inside
-/// faces get theirs.
+/// All added points, each after its parents. Points inside faces get their numbers.
 std::vector<RefinedPoint> numberPoints(RefinedFaces& faces)
 {
   const TriangleMesh& mesh = faces.field.mesh();
   std::vector<RefinedPoint> points;
-  const auto next = [&] { return mesh.numberOfVertices() + static_cast<Id>(points.size()); };
+  const auto next = [&]
+  { return faces.field.surface().numberOfOwnVertices() + static_cast<Id>(points.size()); };
   for (const PointOnEdge& point : faces.edges.points())
   {
     const SurfacePoint place = faces.edges.placeOf(next());
@@ -46,10 +46,10 @@ std::vector<RefinedPoint> numberPoints(RefinedFaces& faces)
 /// Gives points the caller's numbers, where several of the caller's points may be one vertex. Added
 /// points are numbered in the order in which triangles reach them.
 void useCallersPoints(
-  const TriangleMesh& mesh, const std::vector<Triangle>& atCorners, RefinedMesh& result)
+  const MeshPartition& surface, const std::vector<Triangle>& atCorners, RefinedMesh& result)
 {
   const std::vector<RefinedPoint> points = std::exchange(result.points, {});
-  const auto pointAt = [&](Id point) { return points[point - mesh.numberOfVertices()]; };
+  const auto pointAt = [&](Id point) { return points[point - surface.numberOfOwnVertices()]; };
   SplitPointNumbering splits(result);
   const auto add = [&](const RefinedPoint& point, Id) { return splits.numberOf(point); };
   std::unordered_map<Id, Id> numbers; // in one face, whose triangles are consecutive
@@ -61,7 +61,7 @@ void useCallersPoints(
       numbers.clear();
       for (std::size_t k = 0; k < 3; ++k)
       {
-        numbers.emplace(mesh.triangle(face)[k], atCorners[face][k]);
+        numbers.emplace(surface.mesh().triangle(face)[k], atCorners[face][k]);
       }
     }
     for (Id& corner : result.triangles[i])
@@ -71,7 +71,7 @@ void useCallersPoints(
   }
 }
 
-/// Writes all triangles in parallel, with the numbers of the mesh's vertices.
+/// Writes all triangles in parallel.
 void writeTriangles(const RefinedFaces& faces, const Job& job, RefinedMesh& result)
 {
   const MeshPartition& surface = faces.field.surface();
@@ -120,47 +120,25 @@ void appendTriangles(const RefinedFaces& faces, Id face, std::vector<Triangle>& 
   std::array<std::vector<Id>, 3> splits;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const Id halfedge = TriangleMesh::halfedgeOf(face, k);
-    const Id edge = faces.edges.find(halfedge);
-    if (edge != NoId)
-    {
-      splits[k] = faces.edges[edge].points;
-      if (mesh.origin(faces.edges[edge].halfedge) != mesh.origin(halfedge))
-      {
-        std::reverse(splits[k].begin(), splits[k].end());
-      }
-    }
+    splits[k] = faces.edges.pointsAlong(TriangleMesh::halfedgeOf(face, k));
   }
   cutAtEdges(
     mesh.triangle(face), splits,
     [&](Id point) { return position(mesh, faces.edges.placeOf(point)); }, triangles);
 }
 
-// The last vertices may be other ranks' only. Then they are no points of the caller, and added
-// points take their numbers.
+// The last vertices of the mesh may be other ranks' only: these are no points of the caller.
 RefinedMesh writeOutput(RefinedFaces& faces, const RefinementOptions& options, const Job& job)
 {
-  const TriangleMesh& mesh = faces.field.mesh();
-  const bool areVertices = options.cornerPoints.empty() && mesh.numberOfFaces() > 0;
+  const MeshPartition& surface = faces.field.surface();
+  const bool areVertices = options.cornerPoints.empty() && surface.mesh().numberOfFaces() > 0;
   RefinedMesh result;
-  result.numberOfInputPoints =
-    areVertices ? faces.field.surface().numberOfOwnVertices() : options.numberOfPoints;
+  result.numberOfInputPoints = areVertices ? surface.numberOfOwnVertices() : options.numberOfPoints;
   result.points = numberPoints(faces);
   writeTriangles(faces, job, result);
   if (!areVertices)
   {
-    useCallersPoints(mesh, options.cornerPoints, result);
-    return result;
-  }
-  const Id left = mesh.numberOfVertices() - result.numberOfInputPoints;
-  const auto renumber = [&](Id& point) { point -= point < result.numberOfInputPoints ? 0 : left; };
-  for (RefinedPoint& point : result.points)
-  {
-    std::for_each(point.parents.begin(), point.parents.end(), renumber);
-  }
-  for (std::size_t i = 0; i < result.triangles.size() && left > 0; ++i)
-  {
-    std::for_each(result.triangles[i].begin(), result.triangles[i].end(), renumber);
+    useCallersPoints(surface, options.cornerPoints, result);
   }
   return result;
 }

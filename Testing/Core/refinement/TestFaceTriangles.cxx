@@ -30,8 +30,8 @@ TEST(CutEdges, RunTheSameWayFromTheSameFaceForAnyOrderOfFaces)
   forMeshesInAnotherOrder(
     [](const TriangleMesh& one, const TriangleMesh& two, const Renumbered& other)
     {
-      geodesic::CutEdges edges(one);
-      geodesic::CutEdges otherEdges(two);
+      geodesic::CutEdges edges(one, one.numberOfVertices());
+      geodesic::CutEdges otherEdges(two, two.numberOfVertices());
       for (Id halfedge = 0; halfedge < one.numberOfHalfedges(); ++halfedge)
       {
         const auto inOther = [&](Id h)
@@ -43,7 +43,6 @@ TEST(CutEdges, RunTheSameWayFromTheSameFaceForAnyOrderOfFaces)
         const Id edge = edges.ensure(halfedge);
         const Id otherEdge = otherEdges.ensure(inOther(halfedge));
         EXPECT_EQ(otherEdges[otherEdge].halfedge, inOther(edges[edge].halfedge));
-        EXPECT_EQ(otherEdges[otherEdge].length, edges[edge].length);
       }
       EXPECT_EQ(otherEdges.size(), edges.size());
     });
