@@ -4,6 +4,7 @@
 #include "Errors.h"
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Inputs.h"
+#include "PolyData/Memory.h"
 #include "PolyData/Notes.h"
 #include "PolyData/SurfaceCache.h"
 #include "PolyData/ranks/RankExchange.h"

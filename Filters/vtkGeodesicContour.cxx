@@ -26,11 +26,6 @@ vtkStandardNewMacro(vtkGeodesicContour);
 namespace
 {
 
-bool isPositive(double value)
-{
-  return value > 0.0 && value < Infinity;
-}
-
 /// The values that lines are drawn at.
 struct LineValues
 {
@@ -183,9 +178,8 @@ void vtkGeodesicContour::Compute(
   const double* values = this->ContourValues->GetValues();
   const LineValues wanted =
     FindValues({ values, values + this->ContourValues->GetNumberOfContours() }, surface.scale);
-  const double chordTolerance = this->ToleranceIsAbsolute
-    ? surface.scale.toEngine(this->AbsoluteChordTolerance)
-    : this->ChordTolerance * surface.diagonal;
+  const double chordTolerance = inputs.toleranceOf(
+    this->ToleranceIsAbsolute, this->AbsoluteChordTolerance, this->ChordTolerance);
   Isolines isolines;
   // On a surface without extent nothing but the source is at any distance.
   if (!wanted.distances.empty() && chordTolerance > 0.0)

@@ -53,11 +53,6 @@ constexpr const char* AdviceOnCoordinates =
   " from their places: they are rounded far from the origin, or joined with others. Raise the "
   "tolerance.";
 
-bool isPositive(double value)
-{
-  return value > 0.0 && value < Infinity;
-}
-
 /// 1, 2 or 5 times a power of ten, the largest that is at most a tenth over a positive length, so
 /// that roundings of a round length do not count.
 double roundLength(double length)
@@ -148,9 +143,8 @@ public:
 
   double Tolerance() const
   {
-    return this->Self->ToleranceIsAbsolute
-      ? this->Inputs.surface->scale.toEngine(this->Self->AbsoluteRefinementTolerance)
-      : this->Self->RefinementTolerance * this->Inputs.surface->diagonal;
+    return this->Inputs.toleranceOf(this->Self->ToleranceIsAbsolute,
+      this->Self->AbsoluteRefinementTolerance, this->Self->RefinementTolerance);
   }
 
   /// What is left of the tolerance for the interpolant, beside the displacement of points. A part
@@ -228,10 +222,7 @@ public:
     const vtkGeodesicDistanceField* self = this->Self;
     FieldRequest request;
     request.relativeError = self->Accuracy == APPROXIMATE ? self->RelativeError : 0.0;
-    if (self->MaximumDistance > 0.0)
-    {
-      request.maximumDistance = this->Inputs.surface->scale.toEngine(self->MaximumDistance);
-    }
+    request.maximumDistance = this->Inputs.limitOf(self->MaximumDistance);
     request.arrays = this->Choice;
     request.isRefined = isRefined;
     request.tolerance = this->ToleranceOfInterpolant(displaced);
@@ -532,9 +523,7 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
     { this->RefineMesh && this->MaximumNumberOfCells < 0,
       "MaximumNumberOfCells is negative: set the largest number of triangles that the refined "
       "surface may have, or 0 for no limit." },
-    { !(this->MaximumDistance >= 0.0),
-      "MaximumDistance is not a number of at least 0: set the distance to stop at, in the units "
-      "of the surface, or 0 for no limit." },
+    { !(this->MaximumDistance >= 0.0), WrongMaximumDistance },
     { this->GenerateTextureCoordinates &&
         !(this->TextureScale >= 0.0 && this->TextureScale < Infinity),
       "TextureScale is not a finite number of at least 0: set the length of a texture's tile, "
@@ -579,10 +568,11 @@ ExecutionPlan vtkGeodesicDistanceField::Plan() const
   plan.needsSides = choice.areSidesNeeded();
   const auto add = [&plan](Stage stage, bool isThere)
   { plan.stages.insert(plan.stages.end(), isThere ? 1 : 0, stage); };
-  add(Stage::FindBorders, this->RefineMesh && vtkWorker::AreBordersRefined(this));
+  const bool isApproximate = this->Accuracy == APPROXIMATE && this->RelativeError > 0.0;
+  add(Stage::FindBorders, this->RefineMesh && vtkWorker::AreBordersRefined(this) && !isApproximate);
   add(Stage::Solve, true);
   add(Stage::Refine, this->RefineMesh);
-  add(Stage::SolveExactly, this->Accuracy == APPROXIMATE && choice.areFeetNeeded());
+  add(Stage::SolveExactly, isApproximate && choice.areFeetNeeded());
   add(Stage::FindSources, choice.isAny());
   add(Stage::Write, true);
   return plan;

@@ -169,8 +169,7 @@ void ComputeTable(const Inputs& inputs, double maximumDistance, bool hasPosition
     static_cast<vtkIdType>(sizeof(vtkIdType)) +
       2 * static_cast<vtkIdType>(sizeof(double)) * numberOfSources);
   const PowerOfTwoScale& scale = inputs.surface->scale;
-  std::vector<std::vector<double>> matrix =
-    Solve(inputs, maximumDistance > 0.0 ? scale.toEngine(maximumDistance) : Infinity, job);
+  std::vector<std::vector<double>> matrix = Solve(inputs, inputs.limitOf(maximumDistance), job);
 
   execution.begin(Stage::Write);
   const auto ids = makeArray<vtkIdTypeArray>(TargetIdColumn, rows);
@@ -241,12 +240,8 @@ int vtkGeodesicDistanceMatrix::FillOutputPortInformation(int vtkNotUsed(port), v
 //------------------------------------------------------------------------------
 std::string vtkGeodesicDistanceMatrix::FindWrongProperty() const
 {
-  if (!(this->MaximumDistance >= 0.0))
-  {
-    return "MaximumDistance is not a number of at least 0: set the distance to stop at, in the "
-           "units of the surface, or 0 for no limit.";
-  }
-  return this->Superclass::FindWrongProperty();
+  return this->MaximumDistance >= 0.0 ? this->Superclass::FindWrongProperty()
+                                      : WrongMaximumDistance;
 }
 
 //------------------------------------------------------------------------------

@@ -68,7 +68,8 @@ struct FieldSolver
   /// border also passes elsewhere, solves again and keeps the windows there, too.
   SolvedSurface solveAndRefine() const
   {
-    PinnedFaces pinned = this->request.areBordersRefined
+    // An approximate solve keeps all windows.
+    PinnedFaces pinned = this->request.areBordersRefined && !this->request.isApproximate()
       ? this->findFacesAtBorders()
       : PinnedFaces(this->surface.mesh().numberOfFaces(), 0);
     SolvedSurface solved;
@@ -94,11 +95,10 @@ struct FieldSolver
       this->surface.partition, this->inputs.sourceWindows(options.job), options, std::move(faces));
   }
 
-  /// By an exact solve that keeps no windows.
+  /// By a solve that keeps no windows.
   PinnedFaces findFacesAtBorders() const
   {
-    FrontOptions options = this->frontOptions(Stage::FindBorders);
-    options.relativeError = 0.0;
+    const FrontOptions options = this->frontOptions(Stage::FindBorders);
     const DistanceField field =
       geodesic::solve(this->surface.partition, this->inputs.sourceWindows(options.job), options);
     const std::vector<SourceCurve>& curves = this->inputs.sources.curves;

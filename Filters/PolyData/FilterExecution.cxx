@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/FilterExecution.h"
 
+#include "PolyData/Memory.h"
 #include "ThreadTeam.h"
 
 #include "vtkAlgorithm.h"
@@ -25,7 +26,13 @@ FilterExecution::FilterExecution(
 
 bool FilterExecution::tellFilter(double done)
 {
-  this->memory_.look();
+  constexpr std::chrono::milliseconds pause(100); // in which a process takes some 100 MB
+  const auto now = std::chrono::steady_clock::now();
+  if (now >= this->nextLook_)
+  {
+    this->nextLook_ = now + pause;
+    requireAnyMemory();
+  }
   this->filter_->UpdateProgress(done);
 #if VTK_VERSION_NUMBER >= 90220220630ULL
   return !this->filter_->CheckAbort();
@@ -37,8 +44,17 @@ bool FilterExecution::tellFilter(double done)
 Job FilterExecution::begin(Stage stage)
 {
   this->stage_ = stage;
-  const Stretch stretch = stretchOf(stage, this->stages_);
-  const Job job = this->job_.part(stretch.begin, stretch.end);
+  double before = 0.0;
+  double here = 0.0;
+  double all = 0.0;
+  for (const Stage other : this->stages_)
+  {
+    const double share = rowOf(other).share;
+    before += other < stage ? share : 0.0;
+    here += other == stage ? share : 0.0;
+    all += share;
+  }
+  const Job job = this->job_.part(before / all, (before + here) / all);
   job.reach(0.0);
   return job;
 }

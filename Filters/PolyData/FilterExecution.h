@@ -4,10 +4,10 @@
 
 #include "Exchange.h"
 #include "Job.h"
-#include "PolyData/Memory.h"
 #include "PolyData/Notes.h"
 #include "PolyData/Stages.h"
 
+#include <chrono>
 #include <vector>
 
 class vtkAlgorithm;
@@ -49,7 +49,8 @@ private:
   std::vector<Stage> stages_;
   Stage stage_ = Stage::ReadSurface;
   Job job_;
-  MemoryWatch memory_;
+  /// When to look at the memory again.
+  std::chrono::steady_clock::time_point nextLook_ = std::chrono::steady_clock::time_point::min();
   Exchange& exchange_;
   Notes notes_;
 };

@@ -119,6 +119,17 @@ struct Sources
   Id firstBoundary = 0;
 };
 
+/// Whether a property is a length that can be a tolerance.
+inline bool isPositive(double length)
+{
+  return length > 0.0 && length < Infinity;
+}
+
+/// The message if a property MaximumDistance is negative or NaN.
+inline const char* const WrongMaximumDistance =
+  "MaximumDistance is not a number of at least 0: set the distance to stop at, in the units of the "
+  "surface, or 0 for no limit.";
+
 /// What an execution has read.
 struct Inputs
 {
@@ -143,6 +154,21 @@ struct Inputs
 
   /// The targets if an array makes sets of them, else null.
   const Sources* setsOfTargets() const;
+
+  /// A tolerance in the engine's units.
+  ///
+  /// \param absolute counts if it is absolute, in the units of the surface.
+  /// \param relative counts otherwise, as a fraction of the surface's diagonal.
+  double toleranceOf(bool isAbsolute, double absolute, double relative) const
+  {
+    return isAbsolute ? this->surface->scale.toEngine(absolute)
+                      : relative * this->surface->diagonal;
+  }
+  /// A property MaximumDistance, for which 0 is no limit, in the engine's units.
+  double limitOf(double maximumDistance) const
+  {
+    return maximumDistance > 0.0 ? this->surface->scale.toEngine(maximumDistance) : Infinity;
+  }
 
   /// What the sources give the front to begin with.
   ///

@@ -5,8 +5,8 @@
 #include "vtkFieldData.h"
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
+#include <limits>
 #include <string>
 
 namespace geodesic
@@ -133,18 +133,9 @@ void requireMemory(vtkIdType tuples, vtkIdType bytesATuple)
   ::operator delete(memory);
 }
 
-void MemoryWatch::look()
+void requireAnyMemory()
 {
-  using Clock = std::chrono::steady_clock;
-  constexpr std::int64_t pause = 100; // milliseconds, in which a process takes some 100 MB
   constexpr std::uint64_t least = std::uint64_t(1) << 27;
-  const std::int64_t now =
-    std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now().time_since_epoch()).count();
-  if (now < this->nextLook_)
-  {
-    return;
-  }
-  this->nextLook_ = now + pause;
   const std::uint64_t available = availableMemory();
   if (available < least)
   {

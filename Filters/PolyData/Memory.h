@@ -6,7 +6,6 @@
 #include "vtkType.h"
 
 #include <cstdint>
-#include <limits>
 #include <new>
 
 class vtkFieldData;
@@ -58,17 +57,9 @@ vtkNew<Array> makeArray(const char* name, vtkIdType count)
 }
 
 /// Ends a computation before the system ends the process.
-class MemoryWatch
-{
-public:
-  /// Looks at the memory that is available, if the last look was some time ago.
-  ///
-  /// \throws NotEnoughMemory where hardly any is left.
-  void look();
-
-private:
-  std::int64_t nextLook_ = std::numeric_limits<std::int64_t>::min();
-};
+///
+/// \throws NotEnoughMemory where hardly any is left.
+void requireAnyMemory();
 
 /// What one tuple of all arrays takes.
 vtkIdType bytesATuple(vtkFieldData* data);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <vector>
 
 namespace geodesic
 {
@@ -59,29 +58,6 @@ inline const StageRow& rowOf(Stage stage)
 {
   return *std::find_if(std::begin(Stages), std::end(Stages),
     [stage](const StageRow& row) { return row.stage == stage; });
-}
-
-/// A stretch of the whole, from one fraction to another.
-struct Stretch
-{
-  double begin;
-  double end;
-};
-
-/// Where a stage lies in the whole, if an execution has these stages.
-inline Stretch stretchOf(Stage stage, const std::vector<Stage>& planned)
-{
-  double before = 0.0;
-  double here = 0.0;
-  double all = 0.0;
-  for (const Stage other : planned)
-  {
-    const double share = rowOf(other).share;
-    before += other < stage ? share : 0.0;
-    here += other == stage ? share : 0.0;
-    all += share;
-  }
-  return { before / all, (before + here) / all };
 }
 
 }

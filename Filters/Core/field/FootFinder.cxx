@@ -164,7 +164,7 @@ PathOrigin FootFinder::originAt(const SurfacePoint& last, const SurfacePoint& be
   if (on != nullptr)
   {
     piece.ray = { frame, wayInFrame(mesh, frame, end, from) };
-    return this->inFanAt(on->curve, on->parameter, piece);
+    return this->inFanAt(on->point, piece);
   }
   // Of the sources at the end, the one that is nearest to the point before.
   const double rounding = tolerance::PlaceRounding * mesh.shape(face).longest();

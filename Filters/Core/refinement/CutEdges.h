@@ -21,7 +21,7 @@ struct PointOnEdge
   double at;
   double distance;
   /// The points between which it was put, and the fraction of the way from the first to the second.
-  /// Points are numbered: this rank's vertices, then these.
+  /// Points are numbered: the vertices at the edges, then these.
   std::array<Id, 2> parents;
   double weight;
   /// Whether shapes alone have asked for it.

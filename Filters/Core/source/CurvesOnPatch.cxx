@@ -177,14 +177,14 @@ std::vector<SegmentEnd> CurvesOnPatch::endsAtPlaceOf(Id point) const
 }
 
 // Several points of a curve may be at one vertex: their ends are the same.
-std::vector<SegmentEnd> CurvesOnPatch::ofAllCurvesAt(Id vertex, EndsAtPoint endsAt) const
+std::vector<SegmentEnd> CurvesOnPatch::ofAllCurvesAt(Id vertex, EndsAtPoint endsOfPoint) const
 {
   std::vector<SegmentEnd> ends;
   const auto range =
     std::equal_range(this->vertices_.begin(), this->vertices_.end(), VertexOnCurve{ vertex });
   for (auto on = range.first; on != range.second; ++on)
   {
-    const std::vector<SegmentEnd> added = (this->*endsAt)(on->point);
+    const std::vector<SegmentEnd> added = (this->*endsOfPoint)(on->point);
     ends.insert(ends.end(), added.begin(), added.end());
   }
   const auto isLess = [](const SegmentEnd& a, const SegmentEnd& b)
