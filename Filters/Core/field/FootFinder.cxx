@@ -2,6 +2,7 @@
 #include "field/FootFinder.h"
 
 #include "Errors.h"
+#include "Tolerance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,8 +71,7 @@ PathOrigin FootFinder::atSource(const IncomingSegment& piece)
 // The piece's direction in the fan of a chain's point: the side that it belongs to, and its angle.
 PathOrigin FootFinder::inFanAt(Id chain, double parameter, const IncomingSegment& piece)
 {
-  const Id face = this->curves_.patch().faceAt(
-    this->field_.surface().addressOf(TriangleMesh::faceOf(piece.ray.halfedge)));
+  const Id face = this->faceOfCurves(TriangleMesh::faceOf(piece.ray.halfedge));
   const Id halfedge = TriangleMesh::inCopy(piece.ray.halfedge, face);
   const Vec2 direction = piece.ray.vector;
   const FanAround& fan = this->fanAt(chain, parameter);
@@ -137,6 +137,64 @@ Foot FootFinder::footOf(const PathOrigin& path) const
   foot.curve = chains.curveAt(foot.chain, foot.parameter);
   foot.isRight = path.origin.isRight() != chains.inChain(foot.curve).isReversed;
   return foot;
+}
+
+Foot FootFinder::footAt(const SurfacePoint& last, const SurfacePoint& before, Id face,
+  const IncomingSegment& ray, double length)
+{
+  const TriangleMesh& mesh = this->field_.mesh();
+  if (ray.origin.isOnCurve())
+  {
+    const Foot foot = this->footOf(this->originOf(ray));
+    const SurfacePoint end = fromBarycentric(
+      this->meshOfCurves(), this->faceOfCurves(face), barycentric(mesh, last, face));
+    const double rounding =
+      tolerance::Tie * length + tolerance::PlaceRounding * mesh.shape(face).longest();
+    if (distanceInSpace(this->meshOfCurves(), this->pointOf(foot), end) <= rounding)
+    {
+      return foot;
+    }
+  }
+  return this->footOf(this->originAt(last, before, face));
+}
+
+PathOrigin FootFinder::originAt(const SurfacePoint& last, const SurfacePoint& before, Id face)
+{
+  const TriangleMesh& mesh = this->field_.mesh();
+  const Barycentric end = barycentric(mesh, last, face);
+  const Barycentric from = barycentric(mesh, before, face);
+  const Id frame = longestHalfedge(mesh, face);
+  IncomingSegment piece;
+  const VertexOnCurve* on = last.kind == SurfacePoint::Kind::Vertex
+    ? this->onCurveAt(this->field_.surface().globalId(last.id))
+    : nullptr;
+  if (on != nullptr)
+  {
+    piece.ray = { frame, wayInFrame(mesh, frame, end, from) };
+    return this->inFanAt(on->curve, on->parameter, piece);
+  }
+  // Of the sources at the end, the one that is nearest to the point before.
+  const double rounding = tolerance::PlaceRounding * mesh.shape(face).longest();
+  double nearest = Infinity;
+  for (const SourceInFace& source : this->field_.sourcesIn(face))
+  {
+    const Barycentric begin = nearestOnSource(mesh, source, from);
+    const double length = distanceInFace(mesh, face, begin, from);
+    if (length <= nearest && distanceInFace(mesh, face, begin, end) <= rounding)
+    {
+      nearest = length;
+      piece.source = source;
+      piece.along = nearestAlongSource(mesh, source, from);
+      piece.ray = { frame, wayInFrame(mesh, frame, begin, from) };
+    }
+  }
+  return nearest < Infinity ? this->atSource(piece) : PathOrigin();
+}
+
+/// A face of the field's mesh on the patch.
+Id FootFinder::faceOfCurves(Id face) const
+{
+  return this->curves_.patch().faceAt(this->field_.surface().addressOf(face));
 }
 
 SurfacePoint FootFinder::pointOf(const Foot& foot) const

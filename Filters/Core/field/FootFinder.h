@@ -73,6 +73,15 @@ public:
   PathOrigin originOf(const IncomingSegment& piece);
   /// The foot of a path with this origin; not known if the origin is open.
   Foot footOf(const PathOrigin& path) const;
+  /// The foot of a path that ends on the source. Not thread-safe.
+  ///
+  /// \param face that holds the last point and the point before.
+  /// \param ray the straight piece that has led to the end. Its window knows the foot best. But
+  ///        among sources at one distance it may come from another one than the path has reached;
+  ///        then the last two points tell the foot.
+  /// \param length of the path.
+  Foot footAt(const SurfacePoint& last, const SurfacePoint& before, Id face,
+    const IncomingSegment& ray, double length);
 
   /// A foot's place on the surface, a point of meshOfCurves().
   SurfacePoint pointOf(const Foot& foot) const;
@@ -122,6 +131,8 @@ protected:
   PathOrigin atPoint(const SideOfCurve& side) const;
 
 private:
+  PathOrigin originAt(const SurfacePoint& last, const SurfacePoint& before, Id face);
+  Id faceOfCurves(Id face) const;
   PathOrigin atSource(const IncomingSegment& piece);
   PathOrigin inFanAt(Id chain, double parameter, const IncomingSegment& piece);
   const FanAround& fanAt(Id chain, double parameter);

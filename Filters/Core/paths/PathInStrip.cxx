@@ -2,7 +2,6 @@
 #include "paths/PathInStrip.h"
 
 #include "Tolerance.h"
-#include "field/NearestSource.h"
 #include "paths/PathCorridor.h"
 #include "paths/PathInWindows.h"
 
@@ -123,17 +122,28 @@ std::optional<PathToSource> pathInStrip(const MeshPartition& part, const Replica
   options.keepAngles = true;
   const std::vector<SourceCurve> onStrip = curvesOnStrip(strip, patch, curves);
   const DistanceField field = solve(strip.mesh(), onStrip, options, KeepWindows::All);
-  const std::vector<SurfacePoint> points = pathInWindows(field, onPatch(strip, target));
+  TracedPath found;
+  found.whole = target.distance;
+  found.points = pathInWindows(field, onPatch(strip, target));
   PathToSource path;
   path.target = target.number;
   path.wasLost = true;
   path.gathered = strip;
-  path.points = cleanedPath(strip.mesh(), points, target.distance);
-  if (!points.empty())
+  path.points = found.points;
+  if (!found.points.empty())
   {
-    NearestSource nearest(field, ReplicatedPatch(strip.mesh()), onStrip);
-    const SurfacePoint& last = points[points.size() > 1 ? points.size() - 2 : 0];
-    path.end = endAt(nearest.of(incomingSegmentTo(field, last)), nearest, onStrip, target.distance);
+    auto before = found.points.end() - 2;
+    found.faces = { commonFace(strip.mesh(), *before, found.points.back()) };
+    // The ray to the end begins at the last vertex, but not at one beside the end, near the source.
+    while (before != found.points.begin() &&
+      (before->kind != SurfacePoint::Kind::Vertex ||
+        field.distance(*before) <= tolerance::BesideEnd * found.whole))
+    {
+      --before;
+    }
+    found.piece = incomingSegmentTo(field, *before);
+    FootFinder feet(field, ReplicatedPatch(strip.mesh()), onStrip);
+    path.end = endOf(found, feet, onStrip);
   }
   return path;
 }

@@ -24,6 +24,12 @@ struct Piece
   SurfacePoint begin;
   bool beginsAtSource;
   Id face;
+
+  bool goesFartherThan(const Piece& other) const
+  {
+    return this->beginsAtSource != other.beginsAtSource ? this->beginsAtSource
+                                                        : this->length > other.length;
+  }
 };
 
 /// A place that a search has come to, and the ways on that are left to try.
@@ -97,19 +103,16 @@ private:
 
   void goTo(PathStep step)
   {
-    const SurfacePoint& p = step.point;
-    step.isAtSource = step.isAtSource ||
-      (p.kind == SurfacePoint::Kind::Vertex && this->field_.vertexDistances()[p.id] == 0.0);
     if (!step.isAtSource)
     {
-      step.ways = this->waysTo(p, step.left, this->longest_ - step.length);
+      step.ways = this->waysTo(step.point, step.left, this->longest_ - step.length);
     }
     this->steps_.push_back(std::move(step));
   }
 
   /// The last pieces of paths to a point, through faces that the path has not crossed. Of those as
-  /// short as the best but for rounding the longest comes first: no path is led over places a
-  /// rounding beside it. The others follow by distance.
+  /// short as the best but for rounding one from a source comes first, else the longest: no path is
+  /// led over places a rounding beside it. The others follow by distance.
   ///
   /// \param most the longest distance. A distance at a vertex carries the rounding of windows
   ///        through any of the faces around.
@@ -130,12 +133,16 @@ private:
         {
           if (!way.isBehind && way.distance <= most)
           {
-            const Piece& piece = pieces.emplace_back(Piece{ way.distance, way.length,
-              this->beginOf(way, face), way.kind == WayIntoFace::Kind::Source, face });
+            const SurfacePoint begin = this->beginOf(way, face);
+            const bool isFromSource = way.kind == WayIntoFace::Kind::Source ||
+              (begin.kind == SurfacePoint::Kind::Vertex &&
+                this->field_.vertexDistances()[begin.id] == 0.0);
+            const Piece& piece =
+              pieces.emplace_back(Piece{ way.distance, way.length, begin, isFromSource, face });
             const double longer = piece.distance - pieces[best].distance;
             const bool isTie = std::abs(longer) <= tie;
-            best = (isTie ? piece.length > pieces[best].length : longer < 0.0) ? pieces.size() - 1
-                                                                               : best;
+            const bool isBetter = isTie ? piece.goesFartherThan(pieces[best]) : longer < 0.0;
+            best = isBetter ? pieces.size() - 1 : best;
           }
         };
         if (!this->isCrossed_[face])
@@ -201,7 +208,7 @@ std::vector<SurfacePoint> pathInWindows(const DistanceField& field, const Surfac
       points = PathSearch(field, (1.0 + slack) * whole).run(normalized(field.mesh(), from), whole);
     }
   }
-  return points;
+  return cleanedPath(field.mesh(), points, whole);
 }
 
 std::vector<SurfacePoint> cleanedPath(

@@ -5,6 +5,7 @@
 #include "window/UnfoldedFace.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace geodesic
 {
@@ -124,8 +125,7 @@ private:
     const bool isVertex = point.kind == SurfacePoint::Kind::Vertex;
     if (isVertex && !(this->field.vertexDistances()[point.id] > 0.0))
     {
-      const Id face = this->path.faces.back();
-      this->endAtVertex(point.id, face, barycentric(this->mesh, point, face));
+      this->end();
       return;
     }
     this->search();
@@ -289,8 +289,7 @@ private:
     }
     const Barycentric from = barycentric(this->mesh, this->path.points.back(), face);
     double nearest = this->longestLeft(face);
-    Barycentric end{};
-    IncomingSegment last;
+    std::optional<Barycentric> end;
     for (const SourceInFace& source : sources)
     {
       const Barycentric point = nearestOnSource(this->mesh, source, from);
@@ -299,53 +298,31 @@ private:
       {
         nearest = length;
         end = point;
-        last.kind = IncomingSegment::Kind::Source;
-        last.source = source;
       }
     }
-    if (last.kind == IncomingSegment::Kind::Source)
+    if (end)
     {
-      this->add(face, fromBarycentric(this->mesh, face, end));
-      last.along = nearestAlongSource(this->mesh, last.source, from);
-      this->endWith(last, face, end, from);
+      this->add(face, fromBarycentric(this->mesh, face, *end));
+      this->end();
     }
-    return this->path.next == Next::End;
+    return end.has_value();
   }
 
   void goToVertex(Id vertex, Id face)
   {
-    const Barycentric from = barycentric(this->mesh, this->path.points.back(), face);
     this->add(face, SurfacePoint::atVertex(vertex));
     this->path.next = Next::Point;
     this->path.left = this->field.vertexDistances()[vertex];
     if (!(this->path.left > 0.0))
     {
-      this->endAtVertex(vertex, face, from);
+      this->end();
     }
   }
 
-  void endAtVertex(Id vertex, Id face, const Barycentric& from)
-  {
-    IncomingSegment last;
-    last.kind = IncomingSegment::Kind::Corner;
-    last.origin = RayOrigin::vertex(this->surface.globalId(vertex));
-    const Barycentric end = barycentric(this->mesh, SurfacePoint::atVertex(vertex), face);
-    this->endWith(last, face, end, from);
-  }
-
-  // If a ray from the source has led here, its window knows the foot better than the last piece,
-  // which leads through a face from the end.
-  void endWith(
-    const IncomingSegment& last, Id face, const Barycentric& end, const Barycentric& from)
+  void end()
   {
     this->path.next = Next::End;
     this->path.left = 0.0;
-    if (!this->path.piece.origin.isOnCurve())
-    {
-      const Id frame = longestHalfedge(this->mesh, face);
-      this->path.piece = last;
-      this->path.piece.ray = { frame, wayInFrame(this->mesh, frame, end, from) };
-    }
   }
 };
 

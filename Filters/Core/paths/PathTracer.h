@@ -40,8 +40,7 @@ struct PathState
   /// window without width in the leaving frame, whose x axis runs against the halfedge.
   Id exit = NoId;
   Window ray = {};
-  /// The straight piece that the path is on. At the path's end, the piece that begins on the
-  /// source: FootFinder::originOf().
+  /// The straight piece that the path is on.
   IncomingSegment piece;
 
   bool isOnItsWay() const { return this->next != Next::End && this->next != Next::Lost; }

@@ -132,8 +132,7 @@ PathsOnRanks::Followed PathsOnRanks::followHere(TracedPath& traced, std::size_t 
   path.sent.state = traced;
   if (traced.next == Next::End)
   {
-    path.end = endAt(this->feet_.footOf(this->feet_.originOf(traced.piece)), this->feet_,
-      this->curves_, traced.whole);
+    path.end = endOf(traced, this->feet_, this->curves_);
   }
   if (!traced.isOnItsWay())
   {

@@ -6,7 +6,6 @@
 #include "paths/PathCorridor.h"
 #include "paths/PathInStrip.h"
 #include "paths/PathInWindows.h"
-#include "paths/PathTracer.h"
 #include "paths/PathsOnRanks.h"
 #include "source/SourceWindows.h"
 
@@ -78,10 +77,6 @@ private:
   {
     TracedPath path = beginPath(this->field_, target);
     followPath(this->field_, path);
-    if (path.next == PathState::Next::End)
-    {
-      path.points = cleanedPath(this->field_.mesh(), path.points, path.whole);
-    }
     return path;
   }
 
@@ -97,10 +92,8 @@ private:
     }
     else if (!path.points.empty())
     {
-      this->take_({ target, std::move(path.points),
-        endAt(this->feet_.footOf(this->feet_.originOf(path.piece)), this->feet_, this->curves_,
-          path.whole),
-        &this->field_.surface() });
+      this->take_({ target, cleanedPath(this->field_.mesh(), path.points, path.whole),
+        endOf(path, this->feet_, this->curves_), &this->field_.surface() });
     }
   }
 
@@ -117,11 +110,13 @@ private:
 
 } // anonymous namespace
 
-PathEnd endAt(
-  const Foot& foot, FootFinder& feet, const std::vector<SourceCurve>& curves, double length)
+PathEnd endOf(const TracedPath& path, FootFinder& feet, const std::vector<SourceCurve>& curves)
 {
+  const SurfacePoint& last = path.points.back();
+  const SurfacePoint& before = path.points.size() > 1 ? path.points.end()[-2] : last;
+  const Foot foot = feet.footAt(last, before, path.faces.back(), path.piece, path.whole);
   return foot.isKnown() ? PathEnd{ curves[foot.curve].source, feet.arcLengthOf(foot),
-    length > 0.0 ? feet.angleOf(foot) : 0.0 }
+    path.whole > 0.0 ? feet.angleOf(foot) : 0.0 }
                         : PathEnd();
 }
 

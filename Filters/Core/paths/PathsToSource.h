@@ -6,6 +6,7 @@
 #include "front/Front.h"
 #include "mesh/ReplicatedPatch.h"
 #include "mesh/SurfacePoint.h"
+#include "paths/PathTracer.h"
 #include "source/SourceCurve.h"
 
 #include <functional>
@@ -62,12 +63,10 @@ struct PathToSource
 /// reached have none.
 using TakePath = std::function<void(const PathToSource& path)>;
 
-/// The end of a path at a foot.
+/// The end of a path that is complete, by its last two points and the piece that has led there.
 ///
 /// \param curves those of the feet.
-/// \param length of the path.
-PathEnd endAt(
-  const Foot& foot, FootFinder& feet, const std::vector<SourceCurve>& curves, double length);
+PathEnd endOf(const TracedPath& path, FootFinder& feet, const std::vector<SourceCurve>& curves);
 
 /// Finds the shortest paths from points of the surface to the nearest point of the source, one path
 /// for each target.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paths/PathChecker.h"
 
-#include "EngineSupport.h"
+#include "paths/PathCorridor.h"
+#include "paths/PathInStrip.h"
 
 #include <gtest/gtest.h>
 
@@ -261,6 +262,29 @@ double PathChecker::length(const std::vector<PathPoint>& path)
     sum += spaceDistance(path[i - 1].place, path[i].place);
   }
   return sum;
+}
+
+std::vector<FoundPath> findPathsInStrips(const geodesic::TriangleMesh& mesh,
+  const std::vector<geodesic::SourceCurve>& curves, const std::vector<SurfacePoint>& targets)
+{
+  const geodesic::DistanceField field = solveKeepingAll(mesh, curves);
+  const std::vector<double> toSource =
+    geodesic::lowerBoundsOf(field.vertexDistances(), geodesic::Infinity);
+  std::vector<FoundPath> paths(targets.size());
+  for (std::size_t i = 0; i < targets.size(); ++i)
+  {
+    const geodesic::Id face = geodesic::someFace(mesh, targets[i]);
+    const double distance = field.distance(targets[i]);
+    if (distance < geodesic::Infinity)
+    {
+      const auto found =
+        geodesic::pathInStrip(field.surface(), geodesic::ReplicatedPatch(mesh), curves,
+          { { 0, face }, geodesic::toFacePoint(mesh, face, targets[i]), distance }, toSource, {});
+      EXPECT_TRUE(found && !found->points.empty());
+      paths[i].take(*found);
+    }
+  }
+  return paths;
 }
 
 /// The distance through space from a place to the nearest source.

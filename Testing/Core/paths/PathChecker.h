@@ -2,6 +2,7 @@
 #ifndef geodesictest_PathChecker_h
 #define geodesictest_PathChecker_h
 
+#include "EngineSupport.h"
 #include "truth/BruteForce.h"
 #include "truth/TestMeshes.h"
 
@@ -58,6 +59,11 @@ private:
   const PlainMesh& mesh_;
   std::vector<std::vector<Index>> facesOfVertex_;
 };
+
+/// The path of each target as those that tracing has lost are found.
+std::vector<FoundPath> findPathsInStrips(const geodesic::TriangleMesh& mesh,
+  const std::vector<geodesic::SourceCurve>& curves,
+  const std::vector<geodesic::SurfacePoint>& targets);
 
 /// The distance through space from a place to the nearest source.
 double distanceInSpace(const PlainMesh& mesh, const Vec3& place, const Sources& sources);

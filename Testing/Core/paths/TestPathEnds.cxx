@@ -5,6 +5,7 @@
 #include "EngineSupport.h"
 #include "RanksSupport.h"
 #include "paths/EndCases.h"
+#include "paths/PathChecker.h"
 
 #include "Errors.h"
 #include "Tolerance.h"
@@ -201,6 +202,42 @@ TEST_P(PathEnds, OfTracedPathsAreThoseInClosedForm)
           (i - c.queries.size()) % 2 == 1 && std::count(middle.begin(), middle.end(), 0.0) == 0;
         EXPECT_TRUE(isRounded || !isOnSource || paths[i].angle == 0.0) << "on the source";
         EXPECT_NE(paths[i].source, geodesic::NoId);
+      }
+    });
+}
+
+TEST_P(PathEnds, OfPathsFoundInStripsAreThoseInClosedForm)
+{
+  this->forEachCase(
+    [&](const EndCase& c, Random&)
+    {
+      const FieldWithFeet s(c.mesh, c.sources);
+      const std::vector<PlainFrame> frames = framesOf(s.nearest, c.sources.size());
+      std::vector<SurfacePoint> targets;
+      std::vector<std::vector<TrueEnd>> ends;
+      for (const MeshPoint& query : c.queries)
+      {
+        const std::vector<TrueEnd> truth = c.endsOf(query, frames);
+        if (!truth.empty() && targets.size() < 20)
+        {
+          targets.push_back(geodesic::normalized(s.mesh, enginePoint(s.mesh, query)));
+          ends.push_back(truth);
+        }
+      }
+      const std::vector<FoundPath> paths = findPathsInStrips(s.mesh, s.curves, targets);
+      double longest = 0.0;
+      for (Id face = 0; face < s.mesh.numberOfFaces(); ++face)
+      {
+        longest = std::max(longest, s.mesh.shape(face).longest());
+      }
+      for (std::size_t i = 0; i < targets.size(); ++i)
+      {
+        // A last piece from a vertex beside the source has rounded ends.
+        const FoundPath& path = paths[i];
+        const double last = spaceDistance(path.places.end()[-2], path.places.back());
+        const double rounding = geodesic::tolerance::PlaceRounding * longest;
+        expectEnd(c, ends[i], { path.source, path.arcLength, path.angle },
+          std::max(c.accuracyOfPath, rounding / last));
       }
     });
 }

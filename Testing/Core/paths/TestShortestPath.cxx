@@ -5,13 +5,12 @@
 // from the plain mesh.
 #include "EngineSupport.h"
 #include "Seeds.h"
+#include "paths/EndCases.h"
 #include "paths/PathChecker.h"
 #include "truth/AnalyticCases.h"
 #include "truth/RandomMeshKinds.h"
 
 #include "paths/JoinPoints.h"
-#include "paths/PathCorridor.h"
-#include "paths/PathInStrip.h"
 #include "paths/PathInWindows.h"
 
 #include <gtest/gtest.h>
@@ -155,27 +154,7 @@ TEST_P(ShortestPaths, InStripsEndOnTheCurveTheyName)
     scene.queries.resize(std::min<std::size_t>(scene.queries.size(), 20));
     this->check(scene,
       [&](const TriangleMesh& engine, const std::vector<geodesic::SourceCurve>& curves)
-      {
-        const DistanceField field = geodesic::solve(engine, curves);
-        const std::vector<double> toSource =
-          geodesic::lowerBoundsOf(field.vertexDistances(), geodesic::Infinity);
-        std::vector<FoundPath> paths(scene.queries.size());
-        for (std::size_t i = 0; i < paths.size(); ++i)
-        {
-          const SurfacePoint target = enginePoint(engine, scene.queries[i]);
-          const geodesic::Id face = geodesic::someFace(engine, target);
-          if (scene.truth[i] < geodesic::Infinity)
-          {
-            const auto found =
-              geodesic::pathInStrip(field.surface(), geodesic::ReplicatedPatch(engine), curves,
-                { { 0, face }, geodesic::toFacePoint(engine, face, target), scene.truth[i] },
-                toSource, {});
-            EXPECT_TRUE(found && !found->points.empty());
-            paths[i].take(*found);
-          }
-        }
-        return paths;
-      });
+      { return findPathsInStrips(engine, curves, targetsOf(scene, engine)); });
   }
 }
 
@@ -206,6 +185,82 @@ TEST_P(ShortestPaths, BetweenTwoPointsBeginAndEndThere)
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ShortestPaths, ::testing::ValuesIn(meshKinds()),
   [](const auto& instance) { return std::string(instance.param.name); });
+
+// Two faces, a vertex of the one and a point of the other, and a target in the middle between them.
+TEST(ShortestPath, EndsOnTheSourceThatItNamesWhereTwoAreAsNear)
+{
+  for (Random& random : EachSeed(100))
+  {
+    PlainMesh mesh;
+    mesh.points = { { 0.0, 0.0, 0.0 }, { 1.0, -1.0, 0.0 }, { 2.0, 0.0, 0.0 }, { 1.0, 1.0, 0.0 } };
+    mesh.triangles = { { 0, 1, 3 }, { 1, 2, 3 } };
+    mesh = moved(mesh, random);
+    const double x = random.uniform(0.55, 0.95);
+    const double y = random.uniform(-0.9, 0.9) * (1.0 - x);
+    const MeshPoint target{ 0, { 1.0 - x, 0.5 * (x - y), 0.5 * (x + y) } };
+    const MeshPoint sources[] = { { 0, { 1.0, 0.0, 0.0 } },
+      { 1, { 1.0 - x - y, 2.0 * x - 1.0, 1.0 - x + y } } };
+    const FieldWithFeet s(mesh, { pointLine(sources[0]), pointLine(sources[1]) });
+    const std::vector<SurfacePoint> targets = { enginePoint(s.mesh, target) };
+    for (const FoundPath& path :
+      { findPaths(s.mesh, s.curves, targets)[0], findPathsInStrips(s.mesh, s.curves, targets)[0] })
+    {
+      ASSERT_LT(path.source, 2U);
+      const Vec3 place = position(mesh, sources[path.source]);
+      EXPECT_LE(spaceDistance(path.places.back(), place), 1e-14);
+    }
+  }
+}
+
+// A vertex that is a source, beside another source in a face at the vertex.
+TEST(ShortestPath, FromASourceAtAVertexEndsThere)
+{
+  const PlainMesh mesh = regularGrid(1, 1);
+  const MeshPoint vertex{ 0, { 1.0, 0.0, 0.0 } };
+  const MeshPoint beside{ 0, { 0.8, 0.1, 0.1 } };
+  const FieldWithFeet s(mesh, { pointLine(beside), pointLine(vertex) });
+  const SurfacePoint target = geodesic::normalized(s.mesh, enginePoint(s.mesh, vertex));
+  for (const FoundPath& path : { findPaths(s.mesh, s.curves, { target })[0],
+         findPathsInStrips(s.mesh, s.curves, { target })[0] })
+  {
+    EXPECT_EQ(path.source, 1U);
+    EXPECT_EQ(path.angle, 0.0);
+    EXPECT_EQ(path.points.size(), 2U);
+  }
+}
+
+// In the middle of a regular hexagon. The rays that meet the vertex are rounded, and cross an edge
+// beside it.
+TEST(ShortestPath, InWindowsPassesTheVertexThatIsOnIt)
+{
+  for (Random& random : EachSeed(100))
+  {
+    PlainMesh mesh;
+    mesh.points = { { 0.0, 0.0, 0.0 } };
+    for (Index k = 0; k < 6; ++k)
+    {
+      const double angle = k * geodesic::Pi / 3.0;
+      mesh.points.push_back({ std::cos(angle), std::sin(angle), 0.0 });
+      mesh.triangles.push_back({ 0, 1 + k, 1 + (k + 1) % 6 });
+    }
+    mesh = moved(mesh, random);
+    const double side = random.uniform(0.1, 0.9);
+    const auto inDirection = [&](Index face)
+    {
+      const double way = random.uniform(0.1, 0.9);
+      return MeshPoint{ face, { 1.0 - way, side * way, (1.0 - side) * way } };
+    };
+    const MeshPoint source = inDirection(0);
+    const MeshPoint target = inDirection(3);
+    const TriangleMesh engine = engineMesh(mesh);
+    const DistanceField field =
+      solveKeepingAll(engine, engineCurves(engine, { pointLine(source) }));
+    const std::vector<SurfacePoint> path = pathInWindows(field, enginePoint(engine, target));
+    ASSERT_EQ(path.size(), 3U);
+    EXPECT_TRUE(samePlace(engine, path[1], SurfacePoint::atVertex(0)));
+    EXPECT_LE(spaceDistance(geodesic::position(engine, path[2]), position(mesh, source)), 1e-14);
+  }
+}
 
 // (1 - 1.8e-15, 9e-16, 9e-16) in a face, two faces away from the vertex that is the source.
 TEST(ShortestPath, ToAPointARoundingBesideAVertexIsFound)
