@@ -177,10 +177,10 @@ PathOrigin FootFinder::originAt(const SurfacePoint& last, const SurfacePoint& be
     {
       nearest = length;
       piece.source = source;
+      piece.along = nearestAlongSource(mesh, source, from);
       piece.ray = { frame, wayInFrame(mesh, frame, begin, from) };
     }
   }
-  piece.along = nearestAlongSource(mesh, piece.source, from);
   return nearest < Infinity ? this->atSource(piece) : PathOrigin();
 }
 

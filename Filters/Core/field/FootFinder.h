@@ -68,11 +68,6 @@ public:
   const TriangleMesh& meshOfCurves() const { return this->curves_.mesh(); }
   const CurvesOnPatch& curvesOnPatch() const { return this->curves_; }
 
-  /// Where on the source a piece begins; the vertex, open, if the piece begins at a pseudo-source.
-  /// Not thread-safe.
-  PathOrigin originOf(const IncomingSegment& piece);
-  /// The foot of a path with this origin; not known if the origin is open.
-  Foot footOf(const PathOrigin& path) const;
   /// The foot of a path that ends on the source. Not thread-safe.
   ///
   /// \param face that holds the last point and the point before.
@@ -127,6 +122,11 @@ public:
 
 protected:
   const DistanceField& field() const { return this->field_; }
+  /// Where on the source a piece begins; the vertex, open, if the piece begins at a pseudo-source.
+  /// Not thread-safe.
+  PathOrigin originOf(const IncomingSegment& piece);
+  /// The foot of a path with this origin; not known if the origin is open.
+  Foot footOf(const PathOrigin& path) const;
   const VertexOnCurve* onCurveAt(GlobalId id) const;
 
 private:

@@ -245,33 +245,26 @@ private:
   double faceSize_ = 0.0;
 };
 
-IncomingSegment segmentToVertex(const DistanceField& field, const SurfacePoint& point)
+void findAtVertex(const DistanceField& field, const SurfacePoint& point, LastPieceSearch& search)
 {
-  const double distance = field.vertexDistances()[point.id];
-  if (!(distance < Infinity))
+  if (!(field.vertexDistances()[point.id] < Infinity))
   {
-    return {};
+    return;
   }
-  LastPieceSearch search(field, point);
   if (field.arrivals()[point.id].halfedge != NoId)
   {
     search.fromArrival();
-    return search.best();
+    return;
   }
   // The path comes straight from a source in a face, or from a corner so near that rounding has
   // hidden the arrival. Once a source is found, corners as near as rounding must not be taken:
   // their own paths may come from this vertex.
   forEachFace(field.mesh(), point, [&](Id face) { search.look(face, Kind::Source); });
-  const IncomingSegment& source = search.best();
-  if (!(distance > 0.0))
+  if (field.arrivals()[point.id].isKnown() && search.best().kind == Kind::Source)
   {
-    return source.distance > 0.0 ? IncomingSegment() : source;
+    return;
   }
-  if (!field.arrivals()[point.id].isKnown() || source.kind != Kind::Source)
-  {
-    forEachFace(field.mesh(), point, [&](Id face) { search.look(face, Kind::Corner); });
-  }
-  return search.best();
+  forEachFace(field.mesh(), point, [&](Id face) { search.look(face, Kind::Corner); });
 }
 
 } // anonymous namespace
@@ -304,15 +297,16 @@ IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint
 
 IncomingSegment incomingSegmentThrough(const DistanceField& field, const SurfacePoint& point)
 {
+  LastPieceSearch search(field, point);
   if (point.kind == SurfacePoint::Kind::Vertex)
   {
     if (field.arrivals().empty())
     {
       throw Error("The path to a vertex was asked for, but the solve did not keep arrivals.");
     }
-    return segmentToVertex(field, point);
+    findAtVertex(field, point, search);
+    return search.best();
   }
-  LastPieceSearch search(field, point);
   forEachFace(field.mesh(), point,
     [&](Id face)
     {

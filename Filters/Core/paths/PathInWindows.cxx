@@ -133,10 +133,12 @@ private:
         {
           if (!way.isBehind && way.distance <= most)
           {
+            const SurfacePoint begin = this->beginOf(way, face);
             const bool isFromSource = way.kind == WayIntoFace::Kind::Source ||
-              (way.vertex != NoId && this->field_.vertexDistances()[way.vertex] == 0.0);
-            const Piece& piece = pieces.emplace_back(
-              Piece{ way.distance, way.length, this->beginOf(way, face), isFromSource, face });
+              (begin.kind == SurfacePoint::Kind::Vertex &&
+                this->field_.vertexDistances()[begin.id] == 0.0);
+            const Piece& piece =
+              pieces.emplace_back(Piece{ way.distance, way.length, begin, isFromSource, face });
             const double longer = piece.distance - pieces[best].distance;
             const bool isTie = std::abs(longer) <= tie;
             const bool isBetter = isTie ? piece.goesFartherThan(pieces[best]) : longer < 0.0;

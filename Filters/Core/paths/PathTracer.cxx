@@ -22,7 +22,7 @@ public:
   const TriangleMesh& mesh = field.mesh();
   const MeshPartition& surface = field.surface();
 
-  Id follow()
+  void follow()
   {
     // As a piece may be shorter than rounding, the length left need not shrink at each step; but a
     // shortest path visits no vertex twice and crosses no face twice.
@@ -39,12 +39,13 @@ public:
       }
       if (!this->path.isOnItsWay())
       {
-        return NoId;
+        return;
       }
       const Id face = this->nextFace();
       if (face != NoId && !this->surface.isOwn(face))
       {
-        return face;
+        this->path.elsewhere = face;
+        return;
       }
       if (this->path.next == Next::BehindExit)
       {
@@ -57,7 +58,7 @@ public:
           [&](Id around) { isAllOwn = isAllOwn && this->surface.isOwn(around); });
         if (!isAllOwn)
         {
-          return NoId;
+          return;
         }
         this->continueOnThisRank();
       }
@@ -343,9 +344,9 @@ TracedPath beginPath(const DistanceField& field, const SurfacePoint& from)
   return path;
 }
 
-Id followPath(const DistanceField& field, TracedPath& path)
+void followPath(const DistanceField& field, TracedPath& path)
 {
-  return PathTracer{ field, path }.follow();
+  PathTracer{ field, path }.follow();
 }
 
 double continueOnThisRank(const DistanceField& field, TracedPath& path)

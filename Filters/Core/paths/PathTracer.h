@@ -53,6 +53,9 @@ struct TracedPath : PathState
   /// The points, each with a face that holds it and the point before.
   std::vector<SurfacePoint> points;
   std::vector<Id> faces;
+  /// Another rank's face where it continues. NoId if it is not on its way, or has to search around
+  /// its last point (PathState::Next::Search) in faces of several ranks.
+  Id elsewhere = NoId;
 };
 
 /// A path before its first step. If the point was not reached, it is complete and has no points.
@@ -67,9 +70,7 @@ TracedPath beginPath(const DistanceField& field, const SurfacePoint& from);
 /// path continues. RetentionAround keeps these.
 ///
 /// \param field that was solved with FrontOptions::keepArrivals.
-/// \returns another rank's face where it continues; NoId if it is not on its way, or has to search
-///          around its last point (PathState::Next::Search) in faces of several ranks.
-Id followPath(const DistanceField& field, TracedPath& path);
+void followPath(const DistanceField& field, TracedPath& path);
 
 /// Continues from a search (PathState::Next::Search) through the best of this rank's faces.
 ///

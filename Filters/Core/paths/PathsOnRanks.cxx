@@ -31,9 +31,9 @@ TargetOnRank onOwnFace(
 
 } // anonymous namespace
 
-void PathsOnRanks::add(Id target, TracedPath path)
+void PathsOnRanks::add(Id target, const TracedPath& path)
 {
-  this->paths_.push_back({ target, this->followHere(path, 0) });
+  this->paths_.push_back({ target, this->followed(path, 0) });
 }
 
 void PathsOnRanks::follow(const TakePath& take)
@@ -80,9 +80,9 @@ PathsOnRanks::Step PathsOnRanks::step(const SentPath& sent) const
   return step;
 }
 
-void PathsOnRanks::tell(Step& step, Message& answer) const
+void PathsOnRanks::tell(const Step& step, Message& answer) const
 {
-  Followed found = this->followHere(step.path, 1); // the first point came with the question
+  Followed found = this->followed(step.path, 1); // the first point came with the question
   found.sent.through = step.through;
   put(answer, found.sent);
   put(answer, found.end);
@@ -117,11 +117,11 @@ void PathsOnRanks::hear(OwnPath& own, MessageReader& answer, const TakePath& tak
   }
 }
 
-// Follows a path as far as it goes through this rank's faces, and finds out who is asked next.
-PathsOnRanks::Followed PathsOnRanks::followHere(TracedPath& traced, std::size_t firstPoint) const
+// What has been found of a path in this rank's faces, and who is asked next.
+PathsOnRanks::Followed PathsOnRanks::followed(
+  const TracedPath& traced, std::size_t firstPoint) const
 {
   const TriangleMesh& mesh = this->part_.mesh();
-  const Id elsewhere = followPath(this->field_, traced);
   Followed path;
   for (std::size_t i = firstPoint; i < traced.points.size(); ++i)
   {
@@ -138,12 +138,12 @@ PathsOnRanks::Followed PathsOnRanks::followHere(TracedPath& traced, std::size_t 
   {
     return path;
   }
-  const bool leaves = elsewhere != NoId;
-  path.ranks =
-    leaves ? std::vector<int>{ this->part_.addressOf(elsewhere).rank } : this->ranksAround(traced);
+  const bool leaves = traced.elsewhere != NoId;
+  path.ranks = leaves ? std::vector<int>{ this->part_.addressOf(traced.elsewhere).rank }
+                      : this->ranksAround(traced);
   const Id face = !leaves             ? someFace(mesh, traced.points.back())
     : traced.next == Next::BehindExit ? TriangleMesh::faceOf(traced.exit)
-                                      : elsewhere;
+                                      : traced.elsewhere;
   path.sent.face = this->part_.addressOf(face);
   path.sent.last = toFacePoint(mesh, face, traced.points.back());
   return path;

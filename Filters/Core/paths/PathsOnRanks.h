@@ -35,7 +35,7 @@ public:
   }
 
   /// Takes over a path that followPath() has followed as far as it goes through this rank's faces.
-  void add(Id target, TracedPath path);
+  void add(Id target, const TracedPath& path);
 
   /// Follows the paths of all ranks to their ends. All ranks call this together.
   ///
@@ -87,9 +87,9 @@ private:
     double through = 0.0;
   };
   Step step(const SentPath& sent) const;
-  void tell(Step& step, Message& answer) const;
+  void tell(const Step& step, Message& answer) const;
   void hear(OwnPath& path, MessageReader& answer, const TakePath& take);
-  Followed followHere(TracedPath& traced, std::size_t firstPoint) const;
+  Followed followed(const TracedPath& traced, std::size_t firstPoint) const;
   std::vector<int> ranksAround(const TracedPath& path) const;
   PathToSource found(const OwnPath& path) const;
 

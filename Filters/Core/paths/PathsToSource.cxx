@@ -68,7 +68,7 @@ private:
         paths.size(), [&](std::size_t i) { paths[i] = this->trace(this->targets_[first + i]); });
       for (std::size_t i = 0; i < paths.size(); ++i)
       {
-        this->handOn(static_cast<Id>(first + i), std::move(paths[i]));
+        this->handOn(static_cast<Id>(first + i), paths[i]);
       }
     }
   }
@@ -80,11 +80,11 @@ private:
     return path;
   }
 
-  void handOn(Id target, TracedPath path)
+  void handOn(Id target, const TracedPath& path)
   {
     if (path.isOnItsWay())
     {
-      this->onRanks_.add(target, std::move(path));
+      this->onRanks_.add(target, path);
     }
     else if (path.next == PathState::Next::Lost)
     {

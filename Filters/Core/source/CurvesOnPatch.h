@@ -66,7 +66,7 @@ public:
 private:
   std::vector<SegmentEnd> endsAtPlaceOf(Id point) const;
   using EndsAtPoint = std::vector<SegmentEnd> (CurvesOnPatch::*)(Id point) const;
-  std::vector<SegmentEnd> ofAllCurvesAt(Id vertex, EndsAtPoint endsAt) const;
+  std::vector<SegmentEnd> ofAllCurvesAt(Id vertex, EndsAtPoint endsOfPoint) const;
 
   ReplicatedPatch patch_;
   CurveChains chains_;

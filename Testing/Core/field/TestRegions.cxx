@@ -305,11 +305,24 @@ TEST(Regions, EndPathsAtTheirOutlineAndPathsFromInsideHaveNoLength)
     {
       std::vector<SurfacePoint> targets;
       std::vector<double> lengths;
+      std::vector<Id> regions; // that the target is inside
       for (Id face = 0; face < c.mesh.numberOfFaces(); face += 3)
       {
+        regions.push_back(c.regionOf[face]);
         targets.push_back(
           c.isCovered(face) ? middleOf(face) : SurfacePoint::atVertex(c.mesh.triangle(face)[0]));
         lengths.push_back(c.isCovered(face) ? 0.0 : c.truth.vertices[c.mesh.triangle(face)[0]]);
+      }
+      for (Id vertex = 0; vertex < c.mesh.numberOfVertices(); vertex += 2)
+      {
+        targets.push_back(SurfacePoint::atVertex(vertex));
+        lengths.push_back(c.truth.vertices[vertex]);
+        const auto corners = c.mesh.cornersAt(vertex);
+        const auto regionAt = [&](Id corner) { return c.regionOf[TriangleMesh::faceOf(corner)]; };
+        const Id region = regionAt(*corners.begin());
+        const bool isInside = std::all_of(
+          corners.begin(), corners.end(), [&](Id corner) { return regionAt(corner) == region; });
+        regions.push_back(isInside ? region : NoId);
       }
       const std::vector<FoundPath> paths = findPaths(c.mesh, c.curves, targets);
       const double largest = largestFinite(c.truth.vertices);
@@ -322,6 +335,7 @@ TEST(Regions, EndPathsAtTheirOutlineAndPathsFromInsideHaveNoLength)
           length += spaceDistance(paths[i].places[k], paths[i].places[k - 1]);
         }
         EXPECT_TRUE(paths[i].points.empty() || std::abs(length - lengths[i]) <= 1e-8 * largest);
+        EXPECT_TRUE(regions[i] == NoId || paths[i].source == regions[i]);
       }
     });
 }
