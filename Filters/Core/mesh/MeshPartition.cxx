@@ -357,7 +357,7 @@ Id MeshPartition::countedVertex(GlobalId id) const
 SentFace MeshPartition::sentFace(Id face) const
 {
   const auto& [a, b, c] = this->mesh_->triangle(face);
-  return { this->addressOf(face), this->globalIds({ a, b, c }),
+  return { this->addressOf(face), this->globalIds(this->mesh_->triangle(face)),
     { this->mesh_->point(a), this->mesh_->point(b), this->mesh_->point(c) } };
 }
 

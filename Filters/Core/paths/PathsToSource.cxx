@@ -56,6 +56,13 @@ public:
   const std::vector<Id>& lost() const { return this->lost_; }
 
 private:
+  struct OwnPath
+  {
+    TracedPath traced;
+    /// The points that are handed on. The end is told by the last of those traced.
+    std::vector<SurfacePoint> cleaned;
+  };
+
   void traceOwn()
   {
     const std::size_t count = this->targets_.size();
@@ -63,25 +70,31 @@ private:
     for (std::size_t first = 0; first < count; first += PathsAtATime)
     {
       tracing.reach(static_cast<double>(first) / static_cast<double>(count));
-      std::vector<TracedPath> paths(std::min(PathsAtATime, count - first));
+      std::vector<OwnPath> paths(std::min(PathsAtATime, count - first));
       tracing.tasks(
         paths.size(), [&](std::size_t i) { paths[i] = this->trace(this->targets_[first + i]); });
       for (std::size_t i = 0; i < paths.size(); ++i)
       {
-        this->handOn(static_cast<Id>(first + i), paths[i]);
+        this->handOn(static_cast<Id>(first + i), std::move(paths[i]));
       }
     }
   }
 
-  TracedPath trace(const SurfacePoint& target) const
+  OwnPath trace(const SurfacePoint& target) const
   {
     TracedPath path = beginPath(this->field_, target);
     followPath(this->field_, path);
-    return path;
+    std::vector<SurfacePoint> cleaned;
+    if (path.next == PathState::Next::End)
+    {
+      cleaned = cleanedPath(this->field_.mesh(), path.points, path.whole);
+    }
+    return { std::move(path), std::move(cleaned) };
   }
 
-  void handOn(Id target, const TracedPath& path)
+  void handOn(Id target, OwnPath own)
   {
+    const TracedPath& path = own.traced;
     if (path.isOnItsWay())
     {
       this->onRanks_.add(target, path);
@@ -92,8 +105,8 @@ private:
     }
     else if (!path.points.empty())
     {
-      this->take_({ target, cleanedPath(this->field_.mesh(), path.points, path.whole),
-        endOf(path, this->feet_, this->curves_), &this->field_.surface() });
+      this->take_({ target, std::move(own.cleaned), endOf(path, this->feet_, this->curves_),
+        &this->field_.surface() });
     }
   }
 

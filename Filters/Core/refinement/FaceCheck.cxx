@@ -105,10 +105,14 @@ Deviation FaceCheck::deviationOf(Id a, Id b)
 
 // In an approximate field the faces around a point differ by what merging has changed, which no
 // refinement can undo. The triangle gets the rest of the tolerance, but at least half of it.
+double FaceCheck::limitFor(const Difference& at) const
+{
+  return std::max(this->tolerance_ - at.difference - at.rounding, 0.5 * this->tolerance_);
+}
+
 double FaceCheck::limitOf(const Triangle& corners) const
 {
-  const auto [difference, rounding] = this->differenceAt(corners);
-  return std::max(this->tolerance_ - difference - rounding, 0.5 * this->tolerance_);
+  return this->limitFor(this->differenceAt(corners));
 }
 
 // A triangle as small as the tolerance passes.
@@ -123,7 +127,8 @@ FaceCheck::Result FaceCheck::of(const Triangle& corners)
     linear.values[k] = point.here;
     onSides.widen(this->deviationOf(corners[k], corners[(k + 1) % 3]));
   }
-  const double limit = this->limitOf(corners);
+  const Difference atCorners = this->differenceAt(corners);
+  const double limit = this->limitFor(atCorners);
   const bool isSmall = longestEdge(linear.corners) <= limit;
   if (onSides.largest() > limit && !isSmall)
   {
@@ -137,8 +142,8 @@ FaceCheck::Result FaceCheck::of(const Triangle& corners)
   Result result = this->above(linear, onSides.above, limit);
   result.sample = std::max(result.sample, below);
   const double own = std::max({ result.bound, below, onSides.above });
-  const auto [difference, rounding] = this->differenceAt(corners);
-  result.bound = isSmall || own <= limit ? own + rounding + difference : Infinity;
+  result.bound =
+    isSmall || own <= limit ? own + atCorners.rounding + atCorners.difference : Infinity;
   return result;
 }
 

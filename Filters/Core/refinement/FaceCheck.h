@@ -71,6 +71,7 @@ private:
   };
 
   Difference differenceAt(const Triangle& corners) const;
+  double limitFor(const Difference& at) const;
   double belowAtSources(const LinearPiece& piece) const;
   Result above(const LinearPiece& piece, double onEdges, double limit);
   Result search(const LinearPiece& piece, double onEdges, double limit);
