@@ -3,7 +3,6 @@
 
 #include "mesh/FacesWithoutArea.h"
 
-#include <algorithm>
 #include <unordered_map>
 #include <utility>
 

@@ -2,7 +2,6 @@
 #include "refinement/SolveForRefinement.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace geodesic
 {
